@@ -113,7 +113,7 @@ pugi::xml_node Xml::parse(pugi::xml_document& document, Names names) {
   }
   const pugi::xml_node root = document.document_element();
   if (!contains(names, root.name())) {
-    error("E0850", root ? span(root) : locator_.whole(), "this is no URDF or MJCF file").help =
+    error("E0850", root ? span(root) : locator_.whole(), "this is not a URDF or MJCF file").help =
         "its first element is `robot` or `mujoco`";
     return {};
   }

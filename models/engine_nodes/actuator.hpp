@@ -8,8 +8,8 @@
 namespace eagerx::models {
 
 /// Every tick: Derived::apply(simulator, last action [n]), which is also the output. The engine
-/// step that begins at the time of the tick is the first to use it. At a reset, and as long as no
-/// action has come (skipped connections): `Default` [n].
+/// step that begins at the time of the tick is the first to use it. At a reset, and before the
+/// first action (skipped connections): `Default` [n].
 template <class Io, class Derived, const auto& Default = Io::Config::default_action>
 class Actuator {
  public:

@@ -29,7 +29,7 @@ struct PortMessage<Message&> {
 template <class Port>
 inline constexpr std::size_t elements_of = size_of<typename PortMessage<Port>::type>;
 
-/// Element `i` of the newest message, or `otherwise` as long as none has come.
+/// Element `i` of the newest message, or `otherwise` before the first message.
 template <class Real, class Window>
 constexpr Real newest(const Window& window, std::size_t i,
                       const std::type_identity_t<Real>& otherwise = Real(0)) {

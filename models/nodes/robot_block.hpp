@@ -33,7 +33,7 @@ class RobotBlock {
                     multibody::has_only_trees_of_hinges<Model>() && multibody::has_leaders<Model>(),
                 "the robot is a tree of bodies on hinges, sliders and fixed joints");
 
-  /// The message of an input, NaN as long as none has come.
+  /// The message of an input, NaN before the first message.
   template <class Window>
   static auto numbers(const Window& window) {
     std::array<Real, elements_of<Window>> x;

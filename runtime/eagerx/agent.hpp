@@ -21,7 +21,7 @@ void flatten(const Observed& window, float (&input)[N], std::size_t& position) {
 }
 
 /// The same of a node's input, always as many messages as its window can hold: missing ones at the
-/// front are copies of the oldest, or zero as long as none has come.
+/// front are copies of the oldest, or zero before the first message.
 template <class Input, std::size_t N>
 void flatten_padded(const Input& window, float (&input)[N], std::size_t& position) {
   using Message = typename Input::value_type;

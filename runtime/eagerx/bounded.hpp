@@ -24,7 +24,8 @@ template <std::uint32_t Most>
 #endif
 }
 
-/// In a loop that waits for a time or for a device: its turns are no work, and only one is counted.
+/// In a loop that waits for a time or for a device: its iterations take no work, and only one is
+/// counted.
 [[gnu::always_inline]] inline void note_wait() {
   note_turns<0>();
 }

@@ -30,8 +30,8 @@ class Takeover {
     seen_ = true;
   }
 
-  /// An observation that has no message yet because the graph says so (`skip`) is no fault; one
-  /// that is padded for another reason is no number.
+  /// An observation that has no message yet because the graph says so (`skip`) is not a fault; one
+  /// that is padded for another reason is not a number.
   void see(const Observation& observation) {
     seen_ = true;
     std::size_t channel = 0;

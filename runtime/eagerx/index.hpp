@@ -33,7 +33,7 @@ extern "C" [[gnu::weak]] void eagerx_index_is_outside(const char* file, std::uin
 
 namespace eagerx {
 
-/// A number, and the place where somebody made an index of it.
+/// A number, and the place where it became an index.
 class Index {
  public:
   // Not explicit, so that `message[i]` stays what it is.

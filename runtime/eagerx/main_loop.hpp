@@ -15,7 +15,7 @@ struct NoGuard {
   void for_each_count(F&& /*f*/) const {}
 };
 
-/// For a hardware.h that has not these lists.
+/// For a hardware.h without these lists.
 namespace no_names {
 inline constexpr const char* kMeasurements[] = {""};
 inline constexpr const char* kOutputs[] = {""};

@@ -200,7 +200,7 @@ class OutputGuard {
 
   Verdict<Limits> verdict_;
   typename Limits::Outputs outputs_{};
-  // What the nodes sent last, for observations that are no outputs.
+  // What the nodes sent last, for observations that are not outputs.
   [[no_unique_address]] std::conditional_t<kRemembers, std::optional<Observation>, Nothing> last_;
   bool is_reset_ = false;
   bool acts_ = false;

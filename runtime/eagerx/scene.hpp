@@ -228,7 +228,7 @@ struct SceneRow {
   }
 
  private:
-  /// 0 for what is no number from 0 to `high`.
+  /// 0 for what is not a number from 0 to `high`.
   static constexpr int whole(float value, int high) {
     return value >= 0.0F && value <= static_cast<float>(high) ? static_cast<int>(value) : 0;
   }

@@ -44,7 +44,7 @@ class WideClock {
 template <class Rate>
 class StepTimes {
  public:
-  /// Instant 0 is now. `max_lateness_ns`: a step may begin so late, Limits::kSafety says it.
+  /// Instant 0 is now. `max_lateness_ns`: a step may begin this late: Limits::kSafety.
   void start(std::uint64_t now_us, std::int64_t max_lateness_ns) {
     *this = {};
     start_us_ = now_us;

@@ -36,7 +36,7 @@ constexpr Lane seconds_of(const ExactTime<Lane>& t) {
   return static_cast<Lane>(t.whole_s) + t.rest_s;
 }
 
-/// `t` − `from` in seconds: what both have in common is no rounding.
+/// `t` − `from` in seconds: what both have in common is not rounded.
 template <class Lane>
 constexpr Lane seconds_between(const ExactTime<Lane>& from, const ExactTime<Lane>& t) {
   return static_cast<Lane>(t.whole_s - from.whole_s) + (t.rest_s - from.rest_s);

@@ -95,15 +95,15 @@ static int read_key(int file, const char* path, struct eagerx_key* key, char* pr
   struct stat status;
   char text[kKeyText + 1] = "";
   if (fstat(file, &status) != 0) return snprintf(problem, room, "%s", strerror(errno)), 0;
-  if (!S_ISREG(status.st_mode)) return snprintf(problem, room, "it is no file" MAKE_ONE), 0;
+  if (!S_ISREG(status.st_mode)) return snprintf(problem, room, "it is not a file" MAKE_ONE), 0;
   if (status.st_uid != geteuid())
     return snprintf(problem, room,
-                    "it belongs to another user\nhelp: each user has a copy, with `install -m 600 "
+                    "it belongs to another user\nhelp: make a copy for each user: `install -m 600 "
                     "FILE COPY`"),
            0;
   if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0)
     return snprintf(problem, room,
-                    "others can read it, or write it\nhelp: chmod 600 %s; if somebody may have "
+                    "others can read it, or write it\nhelp: chmod 600 %s; if others may have "
                     "read it, take a new key",
                     path),
            0;
@@ -112,11 +112,11 @@ static int read_key(int file, const char* path, struct eagerx_key* key, char* pr
   if (size < 0)
     snprintf(problem, room, "%s", strerror(errno));
   else if (size != kKeyText)
-    snprintf(problem, room, "it is no key: it has %d bytes%s, a key has %d" MAKE_ONE, (int)size,
+    snprintf(problem, room, "it is not a key: it has %d bytes%s, a key has %d" MAKE_ONE, (int)size,
              size > kKeyText ? " or more" : "", (int)kKeyText);
   else if (!(good = is_key(text, key)))
     snprintf(problem, room,
-             "it is no key: a key is a line `%s` and 64 of the digits " DIGITS MAKE_ONE, kKeyTitle);
+             "it is not a key: a key is a line `%s` and 64 of the digits " DIGITS MAKE_ONE, kKeyTitle);
   explicit_bzero(text, sizeof text);
   return good;
 }
@@ -204,7 +204,7 @@ static int make_answer(struct eagerx_greeting* greeting, uint8_t* answer) {
   memcpy(greeting->said + EAGERX_HELLO, greeting->own, EAGERX_NUMBER);
   if (memcmp(other, greeting->own, EAGERX_NUMBER) == 0) return -1; /* what we sent, sent back */
   if (sodium.session_keys(in, out, greeting->own, greeting->secret, other) != 0)
-    return -1; /* a number that is never drawn */
+    return -1; /* a number that is never sampled */
   mix(greeting, kFromConnector, in, greeting->in_key);
   mix(greeting, kFromListener, out, out_key);
   memcpy(answer, greeting->own, EAGERX_NUMBER);

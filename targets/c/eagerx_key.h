@@ -57,7 +57,7 @@ void eagerx_greeting_begin(struct eagerx_greeting* greeting, const struct eagerx
 /* How many bytes are missing until something happens; 0: nothing more is read. */
 size_t eagerx_greeting_wanted(const struct eagerx_greeting* greeting);
 /* Takes at most as many. Returns how many bytes of `answer`, which has room for EAGERX_ANSWER, are
-   to be sent now; -1: who sent this has not the key. */
+   to be sent now; -1: the sender does not have the key. */
 int eagerx_greeting_take(struct eagerx_greeting* greeting, const uint8_t* bytes, size_t size,
                          uint8_t* answer);
 /* The records that follow. Nothing secret stays in the greeting. */

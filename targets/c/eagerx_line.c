@@ -43,7 +43,7 @@ static const char* open_serial(const char* path, long baud) {
   if (speed == B0) return "Linux has no such baud rate";
   g.file = open(path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (g.file < 0) return strerror(errno);
-  if (tcgetattr(g.file, &settings) != 0) return "it is no serial line";
+  if (tcgetattr(g.file, &settings) != 0) return "it is not a serial line";
   if (flock(g.file, LOCK_EX | LOCK_NB) != 0)
     return "another program uses it"; /* root, too, whom TIOCEXCL does not bind */
   ioctl(g.file, TIOCEXCL);

@@ -106,7 +106,7 @@ static uint8_t next_byte(void) {
     g.in_end = eagerx_line_read(g.in, sizeof g.in);
     if (g.in_end == 0) eagerx_link_stop(EAGERX_CLOSED, "the line is closed");
     if (!g.has_session && !eagerx_line_knows_peer()) g.before_greeting += g.in_end;
-    if (g.before_greeting > kMostBeforeGreeting) eagerx_link_stop(EAGERX_WRONG, "what came is no greeting of a hub");
+    if (g.before_greeting > kMostBeforeGreeting) eagerx_link_stop(EAGERX_WRONG, "the first bytes are not a greeting of a hub");
   }
   return g.in[g.in_begin++];
 }

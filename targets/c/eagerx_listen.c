@@ -80,7 +80,7 @@ static int listen_unix(const char* path, char* problem) {
   close(lock);
   if (good) return fprintf(stderr, "listens on unix:%s\n", path), file;
   snprintf(problem, EAGERX_PROBLEM, "%s",
-           number == EADDRINUSE ? "another program listens on it, or it is no socket"
+           number == EADDRINUSE ? "another program listens on it, or it is not a socket"
                                 : strerror(number));
   close(file);
   return -1;
@@ -162,7 +162,7 @@ static int accept_one(int listener) {
     const int ready = poll(&item, 1, EAGERX_GREETING_MS) > 0;
     if (ready && recv(file, &first, 1, MSG_PEEK) > 0) return file;
     if (ready)
-      fprintf(stderr, "note: a peer hung up without a word\n");
+      fprintf(stderr, "note: a peer hung up before it sent anything\n");
     else
       fprintf(stderr, "note: a peer said nothing for %d s and was dropped\n",
               EAGERX_GREETING_MS / 1000);
@@ -185,9 +185,9 @@ static void drop(int which, const char* why) {
   if (++dropped != next_note) return; /* repeated connections fill no disk */
   next_note *= 10;
   if (dropped == 1)
-    fprintf(stderr, "note: a stranger %s and was dropped\n", why);
+    fprintf(stderr, "note: dropped a peer that %s\n", why);
   else
-    fprintf(stderr, "note: a stranger %s and was dropped, as %lu so far\n", why, dropped);
+    fprintf(stderr, "note: dropped a peer that %s; %lu dropped so far\n", why, dropped);
 }
 
 static void let_in(int listener, const struct eagerx_key* key) {
@@ -202,7 +202,7 @@ static void let_in(int listener, const struct eagerx_key* key) {
     }
     if (unknown[i].until_ms < unknown[place].until_ms) place = i;
   }
-  if (unknown[place].file >= 0) drop(place, "was one of too many");
+  if (unknown[place].file >= 0) drop(place, "waited longest of too many");
   unknown[place].file = file;
   unknown[place].until_ms = eagerx_now_ms() + EAGERX_GREETING_MS;
   eagerx_greeting_begin(&unknown[place].greeting, key);
@@ -210,7 +210,7 @@ static void let_in(int listener, const struct eagerx_key* key) {
 
 /* Reads what is there of a greeting, and answers it. Whether it has the key. */
 static int is_known(int which) {
-  const char* const hung_up = "hung up before it showed that it has the key";
+  const char* const hung_up = "hung up before it authenticated";
   struct eagerx_greeting* const greeting = &unknown[which].greeting;
   uint8_t bytes[EAGERX_HELLO], answer[EAGERX_ANSWER];
   const ssize_t count =
@@ -218,7 +218,7 @@ static int is_known(int which) {
   if (count < 0 && (errno == EAGAIN || errno == EINTR)) return 0;
   if (count <= 0) return drop(which, hung_up), 0;
   const int size = eagerx_greeting_take(greeting, bytes, (size_t)count, answer);
-  if (size < 0) return drop(which, "has not the key"), 0;
+  if (size < 0) return drop(which, "does not have the key"), 0;
   /* A new connection always has room for it. */
   if (size > 0 &&
       send(unknown[which].file, answer, (size_t)size, MSG_NOSIGNAL | MSG_DONTWAIT) != size)
@@ -257,7 +257,7 @@ static int accept_known(int listener, const struct eagerx_key* key,
     }
     for (int i = 0; i < kMostUnknown; ++i)
       if (unknown[i].file >= 0 && unknown[i].until_ms <= eagerx_now_ms())
-        drop(i, "did not show within 5 s that it has the key");
+        drop(i, "did not authenticate within 5 s");
     if (ready > 0 && items[kMostUnknown].revents != 0) let_in(listener, key);
   }
   return -1;

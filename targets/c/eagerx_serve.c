@@ -42,8 +42,7 @@ int eagerx_serve(int argc, char** argv, const struct eagerx_part* part) {
   code = eagerx_run(part);
   if (eagerx_line_is_forged()) {
     fprintf(stderr,
-            "error: the line `%s` is closed: what came is not what the other end sent: it was changed, repeated or left "
-            "out\n",
+            "error: the line `%s` is closed: a third party changed, repeated or removed data\n",
             options.listen);
     code = kExitLine;
   }

@@ -66,7 +66,7 @@ bool names(std::string_view written, const FaultPlace& place, PlacedFault& place
 }
 
 std::string list_of(const std::vector<FaultPlace>& places) {
-  std::string text = "there is ";
+  std::string text = "available: ";
   for (const FaultPlace& place : places) {
     if (&place != places.data()) text += ", ";
     text += full_name(place);

@@ -1,4 +1,4 @@
-// Rewards that are no numbers, on every target: how often, and which term is to blame.
+// Rewards that are not numbers, on every target: how often, and which term is to blame.
 #pragma once
 
 #include <cstddef>

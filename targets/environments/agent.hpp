@@ -53,7 +53,7 @@ class SeenRows {
         for (std::size_t i = 0; i < size_of<Message>; ++i)
           element(*message, i) = from_row<ScalarOf<Message>>(*from++);
       }
-      // `observation` is no constant, only what for_each_observation() shows of it.
+      // `observation` is not a constant, only what for_each_observation() shows of it.
       std::construct_at(const_cast<Observed*>(&window), messages, Seq{messages_of<Observed>()});
     });
     return observation;

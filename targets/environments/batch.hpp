@@ -47,7 +47,7 @@ class Batch {
     agents_.make_room(pool_.size());
     if (target::is_real(held_.programs[0])) {
       refuse("engine `" + std::string(Graph::kEngine) +
-             "` moves real hardware, of which there is one: generate the library with `--engine` "
+             "` drives real hardware, of which there is one: generate the library with `--engine` "
              "and an engine that simulates");
     }
     // By all members: a library may need memory for each thread, too.

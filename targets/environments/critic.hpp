@@ -98,7 +98,7 @@ class CriticLayout {
     }
   }
 
-  std::size_t messages_ = 0;       // fields that are no states
+  std::size_t messages_ = 0;       // fields that are not states
   std::vector<std::size_t> seen_;  // columns of the messages' numbers
 };
 

@@ -1,4 +1,4 @@
-// Rewards that are no numbers: counted, and the first of a step named. Steps of several threads.
+// Rewards that are not numbers: counted, and the first of a step named. Steps of several threads.
 #pragma once
 
 #include <cstddef>

@@ -60,7 +60,7 @@ class SimdFunctions {
       load_action(*static_cast<Action*>(actions), lane, action);
     };
     kernel.step = step;
-    // Registers as wide as those of plain code are no faster with one environment a lane.
+    // Registers as wide as those of plain code are not faster with one environment a lane.
     constexpr std::size_t kPlainRegister = 16;
     if constexpr (!std::is_same_v<Agent, NoAgent> && kRegisterBytes > kPlainRegister) {
       kernel.observations = Agent::kObservations;

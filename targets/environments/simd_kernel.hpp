@@ -77,7 +77,7 @@ struct SimdKernel {
   /// `actions` have gone through the guards. Columns: observations in the graph's order, unless
   /// their rows are wanted and no guard looks at them, then those of SimdColumns, unless rows have
   /// the ends. `rows`: null, or also written. The lanes, a bit each, whose episode the task
-  /// ends, whose reward is no number or which have made the most steps.
+  /// ends, whose reward is not a number or which have made the most steps.
   std::uint64_t (*step)(void* group, const void* actions, float* columns,
                         const SimdRows* rows) = nullptr;
   /// The actions [lanes] of the agent's policy. `columns`: its inputs [inputs][lanes].

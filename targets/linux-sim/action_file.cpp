@@ -65,7 +65,7 @@ bool CsvFile::read(const std::string& path, ActionProblem& problem) {
   // A pipe without a writer, or a device, would be read for ever.
   struct stat status {};
   if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
-    problem = {"error: cannot read `" + path + "`: it is no file", kBadFile};
+    problem = {"error: cannot read `" + path + "`: it is not a file", kBadFile};
     return false;
   }
   errno = 0;

@@ -79,7 +79,7 @@ int self_test(const GraphProgram& program) {
 std::string problem_of_agent(const Options& options, const GraphProgram& program) {
   if (options.agent != kDdsAgent) return {};
   if (program.is_real() || program.facts().is_split())
-    return "error: `--agent dds` moves no real hardware: DDS does not say who sends an action\n"
+    return "error: `--agent dds` cannot drive real hardware: DDS does not authenticate senders\n"
            "help: try the agent in simulation, then give its policy to the graph";
   if (!options.replay.empty() || !options.identify.empty())
     return "error: `--agent dds` does nothing with a log\nhelp: leave it out";
@@ -97,12 +97,12 @@ std::string problem_of(const Options& options, const Fields& fields, const Graph
   const GraphFacts& facts = program.facts();
   if (options.agent == kExternalAgent) {
     if (program.is_real() && options.real_time_factor != 1.0)
-      return "error: real hardware has a time of its own\nhelp: `--real-time-factor 1`";
+      return "error: real hardware runs in real time only\nhelp: `--real-time-factor 1`";
     if (facts.is_split())
       return "error: " + parts_elsewhere(facts) +
              "\nhelp: an external agent is for a program that is not split";
     if (!options.replay.empty() || !options.identify.empty())
-      return "error: a log is repeated without an external agent\nhelp: leave out `--agent`";
+      return "error: a replay has no external agent\nhelp: leave out `--agent`";
     if (!options.faults.empty())
       return "error: an external agent sees observations as they are\nhelp: leave out `--fault`";
   }
@@ -183,11 +183,11 @@ int run(int argc, char** argv, GraphProgram& program) {
   open_standard_files();
   bool was_wrong = false;
   if (!put_floats_right(was_wrong))
-    return fail("error: this processor does not keep denormal numbers", kSelfTestFailed);
+    return fail("error: this processor flushes denormal numbers", kSelfTestFailed);
   if (was_wrong)
     fail(
-        "note: denormal numbers were taken for zero, or numbers rounded otherwise, before this "
-        "program began; it has put that right. Usually it is linked with `-ffast-math`",
+        "note: denormal numbers were flushed to zero, or rounding was not to nearest, before this "
+        "program began; it has corrected this. The usual cause is `-ffast-math` at link time",
         kDone);
   const GraphFacts& facts = program.facts();
   const std::string other = host::problem_of_graph(host::hex_text(facts.graph_hash));

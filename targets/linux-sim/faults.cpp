@@ -23,7 +23,7 @@ AgentFaults::AgentFaults(const Fields& fields)
 std::string AgentFaults::read(const std::vector<std::string>& texts) {
   for (const std::string& text : texts) {
     auto fault = target::parse_fault(text);
-    if (!fault) return "error: `" + text + "` is no fault\nhelp: write " + target::kFaultForms;
+    if (!fault) return "error: `" + text + "` is not a fault\nhelp: write " + target::kFaultForms;
     if (!fault->begins) fault->begins = 0;
     target::FaultProblem problem;
     auto placed = target::place_fault(std::move(*fault), places_, problem);

@@ -73,7 +73,7 @@ std::string problem_with_files(const Options& options) {
     if (host::is_dev_null(place.status)) continue;
     if (!is_descriptor && !S_ISREG(place.status.st_mode) && !host::takes_output(place.status))
       return "error: " + place.name +
-             " is no file, FIFO or character device\nhelp: `-` writes to the standard output";
+             " is not a file, FIFO or character device\nhelp: `-` writes to the standard output";
     if (is_descriptor && !S_ISREG(place.status.st_mode)) continue;
     for (const Place& other : places) {
       if (is_same(place, other))

@@ -11,7 +11,7 @@ namespace eagerx::linux_sim {
 using host::open_standard_files;
 
 /// Looks for outputs that are an input, another output or where the summary goes, by any name, link
-/// or descriptor, and for those that are no files (/dev/null may be one). Returns what is wrong;
+/// or descriptor, and for those that are not files (/dev/null may be one). Returns what is wrong;
 /// empty: nothing. Opens nothing.
 std::string problem_with_files(const Options& options);
 

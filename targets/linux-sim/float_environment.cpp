@@ -5,8 +5,8 @@
 namespace eagerx::linux_sim {
 
 const char* const kFloatsWentWrong =
-    "error: something in this program has changed how the processor calculates, during the run: it "
-    "takes denormal numbers for zero, or rounds otherwise\n"
+    "error: code in this program changed the floating-point mode, during the run: it "
+    "flushes denormal numbers to zero, or does not round to nearest\n"
     "help: there is no hash, because other machines have other bits. Look for `-ffast-math`, "
     "`fesetround` or `_MM_SET_FLUSH_ZERO_MODE` in libraries and entities";
 

@@ -47,7 +47,7 @@ struct GraphFacts {
   const Bounds* bounds;  // null: no channel has some
   bool waits_in_resets;  // reset nodes
   bool is_shown;         // `render:`
-  bool is_scene;         // … which is no image
+  bool is_scene;         // … which is not an image
   std::size_t scene_rows;
   std::uint64_t render_num, render_den;  // pictures a second
   const link::PartFacts* parts;          // that are programs of their own
@@ -150,7 +150,7 @@ class GraphProgram {
   virtual void warm_up() = 0;
   /// Begins episode `episode` with what is in `states`.
   virtual void reset(std::uint32_t episode, StateRow states) = 0;
-  /// The request of an agent that is no file, after the observation that the last call led to.
+  /// The request of an agent that is not a file, after the observation that the last call led to.
   virtual void act(target::Agent agent, EpisodeKey key, Seq step, void* action) = 0;
   virtual void guard(void* action) = 0;
   /// Sets what `states` has, between two steps. Only what is Field::tunable.

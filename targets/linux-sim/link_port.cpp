@@ -186,7 +186,7 @@ bool LinkPort::accept_on(int listener, Say say) {
     if (has_spoken) {
       std::uint8_t first = 0;
       if (recv(file_, &first, 1, MSG_PEEK) > 0) break;
-      say("note: a peer hung up without a word");
+      say("note: a peer hung up before it sent anything");
     } else {
       say("note: a peer said nothing for " + std::to_string(kGreetingS) + " s and was dropped");
     }
@@ -216,7 +216,7 @@ bool LinkPort::open_unix(const std::string& path, Say say) {
     number = errno;
   }
   ::close(file);
-  return fail(number == EADDRINUSE ? "another program listens on it, or it is no socket"
+  return fail(number == EADDRINUSE ? "another program listens on it, or it is not a socket"
                                    : std::strerror(number));
 }
 
@@ -287,7 +287,7 @@ bool LinkPort::open_serial(const std::string& path, std::uint32_t baud) {
   file_ = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (file_ < 0) return fail(std::strerror(errno));
   termios settings{};
-  if (tcgetattr(file_, &settings) != 0) return fail("it is no serial line");
+  if (tcgetattr(file_, &settings) != 0) return fail("it is not a serial line");
   // The lock also keeps root out, who is not bound by TIOCEXCL.
   if (flock(file_, LOCK_EX | LOCK_NB) != 0) return fail("another program uses it");
   ioctl(file_, TIOCEXCL);
@@ -376,7 +376,7 @@ bool LinkPort::open_record() {
       return fail("the other end hung up");
     case Found::forged:
       is_forged_ = true;
-      return fail("what came is not what the other end sent: it was changed, repeated or left out");
+      return fail("a third party changed, repeated or removed data");
     case Found::nothing:
       break;
   }
@@ -393,7 +393,7 @@ void LinkPort::fill() {
     in_begin_ = 0;
     in_end_ = static_cast<std::size_t>(count);
   } else if (count == 0) {
-    fail(is_sealed ? "it was cut: the other end died, or somebody between cut it"
+    fail(is_sealed ? "it was cut: the other end died, or a third party cut it"
                    : "the other end hung up");
   } else if (errno != EAGAIN && errno != EINTR) {
     fail(std::strerror(errno));

@@ -59,7 +59,7 @@ Step take_step(int file, key::Greeting& greeting) {
   return Step::continues;
 }
 
-/// A connection that has not shown yet that it has the key.
+/// A connection that is not authenticated yet.
 struct Unknown {
   int file = -1;
   std::uint64_t until_ns = 0;
@@ -104,15 +104,15 @@ class Door {
  private:
   bool is_known(Unknown& who) {
     const Step step = take_step(who.file, who.greeting);
-    if (step == Step::hung_up) drop(who, "hung up before it showed that it has the key");
-    if (step == Step::wrong) drop(who, "has not the key");
+    if (step == Step::hung_up) drop(who, "hung up before it authenticated");
+    if (step == Step::wrong) drop(who, "does not have the key");
     return step == Step::continues && who.greeting.is_done();
   }
   void drop_late() {
     const std::uint64_t now = LinkPort::now_ns();
     for (Unknown& each : unknown_)
       if (each.file >= 0 && each.until_ns <= now)
-        drop(each, "did not show within " + std::to_string(greeting_s_) + " s that it has the key");
+        drop(each, "did not authenticate within " + std::to_string(greeting_s_) + " s");
   }
   void drop(Unknown& who, const std::string& why) {
     ::close(std::exchange(who.file, -1));
@@ -121,8 +121,8 @@ class Door {
     constexpr std::uint64_t kBase = 10;
     if (++dropped_ != next_note_) return;
     next_note_ *= kBase;
-    say_("note: a stranger " + why + " and was dropped" +
-         (dropped_ == 1 ? std::string() : ", as " + std::to_string(dropped_) + " so far"));
+    say_("note: dropped a peer that " + why +
+         (dropped_ == 1 ? std::string() : "; " + std::to_string(dropped_) + " dropped so far"));
   }
   /// False: nothing can be accepted any more.
   bool let_in() {
@@ -131,7 +131,7 @@ class Door {
     if (file < 0) return errno != EBADF && errno != EINVAL && errno != ENOTSOCK && errno != EMFILE;
     const auto oldest = std::ranges::min_element(
         unknown_, {}, [](const Unknown& each) { return each.file < 0 ? 0 : each.until_ns; });
-    if (oldest->file >= 0) drop(*oldest, "was one of too many");
+    if (oldest->file >= 0) drop(*oldest, "waited longest of too many");
     oldest->file = file;
     oldest->until_ns = LinkPort::now_ns() + static_cast<std::uint64_t>(greeting_s_) * kNsOfSecond;
     oldest->greeting.begin(*key_.sodium, key_.key, key::Role::listens);
@@ -197,15 +197,15 @@ std::string greet(int file, const KeyInUse& key, std::uint64_t until_ns, key::Re
   greeting.sent();
   while (step == Step::continues && !greeting.is_done()) {
     if (!wait_for_events(file, POLLIN, until_ns))
-      return "who listens there does not show in time that it has the key\n"
-             "help: is it started with `--key`, and with the same key?";
+      return "the peer did not authenticate in time\n"
+             "help: start it with `--key` and the same key";
     step = take_step(file, greeting);
   }
   if (step == Step::hung_up)
-    return "the other end hung up before it showed that it has the key\n"
-           "help: is it started with `--key`, and with the same key?";
+    return "the peer hung up before it authenticated\n"
+           "help: start it with `--key` and the same key";
   if (step == Step::wrong)
-    return "who listens there has not this key, or somebody changes what is sent\n"
+    return "the peer does not have this key, or a third party changes the data\n"
            "help: both sides need the same key, of one `eagerx-gen key new FILE`";
   greeting.go_on(records);
   return {};

@@ -14,7 +14,7 @@ std::int64_t now_ns();
 /// CLOCK_MONOTONIC of this machine.
 struct MonotonicClock {
   static std::int64_t now_ns() { return linux_sim::now_ns(); }
-  /// Returns early when somebody wants the run to end.
+  /// Returns early when the run is interrupted.
   static void sleep_until(std::int64_t ns);
 };
 

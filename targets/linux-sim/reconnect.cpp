@@ -66,7 +66,7 @@ std::string Reconnection::problem_of_options() const {
   for (std::size_t part = 0; part < facts.part_count; ++part)
     if (ends_with_its_line(facts.parts[part]))
       say("note: " + name_of_part(facts.parts[part]) + ", for " + facts.parts[part].target +
-          ", ends when its line is lost: it comes back if somebody starts it again");
+          ", ends when its line is lost: it comes back if it is started again");
   return {};
 }
 
@@ -82,7 +82,7 @@ bool Reconnection::link_again(std::uint64_t steps) {
   for (std::size_t part = 0; part < facts.part_count; ++part)
     program_.link(part)->set_time_limit(ns_of(options_.link_timeout_s));
   constexpr int kDigits = 2;
-  say("note: all parts are there after " + fixed(seconds_since(begun_ns), kDigits) +
+  say("note: all parts are connected after " + fixed(seconds_since(begun_ns), kDigits) +
       " s, and begin the next episode");
   return true;
 }
@@ -175,7 +175,7 @@ void Reconnection::finish(Summary& summary, std::string& broken) const {
     summary.more.emplace_back(prefix + "times lost", std::to_string(parts_[part].losses));
   }
   if (has_lost() && options_.hash && broken.empty())
-    say("note: there is no trace hash, as an episode ended before its time; the others are those "
+    say("note: there is no trace hash, because an episode ended early; the others are those "
         "of a run without losses");
 }
 

@@ -55,7 +55,7 @@ void show_row(ObservationRow row, typename Graph::Observation& observation) {
   Graph::for_each_observation(observation, [&](const char*, const auto& window, const auto&...) {
     using Window = std::remove_cvref_t<decltype(window)>;
     const auto* const messages = static_cast<const typename Window::value_type*>(row.messages[i]);
-    // `observation` is no constant, only what for_each_observation() shows of it.
+    // `observation` is not a constant, only what for_each_observation() shows of it.
     std::construct_at(const_cast<Window*>(&window), messages, Seq{row.sizes[i]});
     ++i;
   });

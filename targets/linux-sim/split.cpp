@@ -55,7 +55,7 @@ std::string other_graph(SplitLink& link, const GraphFacts& facts) {
   const std::uint64_t found = link.greeting().graph;
   for (std::size_t part = 0; part < facts.part_count; ++part)
     if (facts.parts[part].graph == found)
-      return "error: where " + name_of_part(link.part()) + " should be is " +
+      return "error: the line to " + name_of_part(link.part()) + " leads to " +
              name_of_part(facts.parts[part]) +
              "\nhelp: two lines are interchanged: " + names(facts);
   return "error: " + name_of_part(link.part()) +
@@ -91,12 +91,13 @@ std::string why_over(SplitLink& link, const GraphFacts& facts) {
       break;
     case Problem::no_answer:
       return who + " does not answer, " + repeated + behind +
-             "\nhelp: is it connected and running its part of this graph? `--link-timeout` sets "
+             "\nhelp: check that it is connected and runs its part of this graph; `--link-timeout` "
+             "sets "
              "how long to wait";
     case Problem::closed:
       return "error: the line to " + name_of_part(link.part()) + " is closed, " + repeated + ": " +
              link.port().error() + behind +
-             "\nhelp: has it ended, or its machine? What it said last is where it was started";
+             "\nhelp: check whether it ended; its last messages are where it was started";
     case Problem::other_protocol:
       return who + " speaks version " + std::to_string(other.protocol) +
              " of the link, this program version " + std::to_string(link::kProtocol) +
@@ -109,7 +110,7 @@ std::string why_over(SplitLink& link, const GraphFacts& facts) {
     case Problem::refused:
       if (other.status == target::kFloatsDiffer)
         return who +
-               " takes denormal numbers for zero, or rounds otherwise\n"
+               " flushes denormal numbers to zero, or does not round to nearest\n"
                "help: leave its floating-point unit as it is after a reset, and link without "
                "`-ffast-math`";
       return who +

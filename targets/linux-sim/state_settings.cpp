@@ -167,7 +167,7 @@ std::string StateSettings::read(const std::vector<std::string>& texts) {
     std::optional<StateSetting> setting = parse_setting(text);
     if (!setting) {
       return "error: `" + text +
-             "` is no setting\nhelp: write NAME=NUMBER, NAME=NUMBER,NUMBER,… (one for each "
+             "` is not a setting\nhelp: write NAME=NUMBER, NAME=NUMBER,NUMBER,… (one for each "
              "element), or NAME=uniform:LOW,HIGH, log_uniform:LOW,HIGH, normal:MEAN,STD, "
              "choice:NUMBER,NUMBER,…; a parameter while it runs: NAME=NUMBER@STEP";
     }

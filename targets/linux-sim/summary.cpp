@@ -56,7 +56,7 @@ std::string not_finite_problem(const std::string& first, std::uint64_t seed,
                                std::uint32_t environment) {
   const std::string one = environment == 0 ? "" : " --environment " + std::to_string(environment);
   return "error: " + first + ", with `--seed " + std::to_string(seed) + one +
-         "`\nhelp: nothing can be learnt from such a reward. Look at what its expression reads in "
+         "`\nhelp: a training cannot use such a reward. Check what its expression reads in "
          "the "
          "table of `--csv FILE`: log() and sqrt() have no value below 0, a quotient none at 0, and "
          "`max(x, 1e-6)` keeps x away from them; a simulation that breaks down needs `terminated:` "

@@ -41,7 +41,7 @@ class KeyProblem(Exception):
 
 
 class Stranger(Exception):
-    """Who greets has not the key."""
+    """The peer does not have the key."""
 
 
 class Forged(Exception):
@@ -85,21 +85,21 @@ def _read_key(path):
     try:
         status = os.fstat(file)
         if not stat.S_ISREG(status.st_mode):
-            raise KeyProblem("it is no file" + _MAKE_ONE)
+            raise KeyProblem("it is not a file" + _MAKE_ONE)
         if status.st_uid != os.geteuid():
-            raise KeyProblem("it belongs to another user\nhelp: each user has a copy, with `install -m 600 FILE COPY`")
+            raise KeyProblem("it belongs to another user\nhelp: make a copy for each user: `install -m 600 FILE COPY`")
         if status.st_mode & (stat.S_IRWXG | stat.S_IRWXO):
-            raise KeyProblem(f"others can read it, or write it\nhelp: chmod 600 {path}; if somebody may have read it, "
+            raise KeyProblem(f"others can read it, or write it\nhelp: chmod 600 {path}; if others may have read it, "
                              "take a new key")
         text = os.read(file, _KEY_FILE_BYTES + 1)
     finally:
         os.close(file)
     if len(text) != _KEY_FILE_BYTES:
         more = " or more" if len(text) > _KEY_FILE_BYTES else ""
-        raise KeyProblem(f"it is no key: it has {len(text)} bytes{more}, a key has {_KEY_FILE_BYTES}{_MAKE_ONE}")
+        raise KeyProblem(f"it is not a key: it has {len(text)} bytes{more}, a key has {_KEY_FILE_BYTES}{_MAKE_ONE}")
     digits = text[len(_KEY_TITLE):-1]
     if not text.startswith(_KEY_TITLE) or text[-1:] != b"\n" or digits.strip(_DIGITS):
-        raise KeyProblem(f"it is no key: a key is a line `{_KEY_TITLE.decode()}` and 64 of the digits {_DIGITS.decode()}"
+        raise KeyProblem(f"it is not a key: a key is a line `{_KEY_TITLE.decode()}` and 64 of the digits {_DIGITS.decode()}"
                          + _MAKE_ONE)
     return bytes.fromhex(digits.decode("ascii"))
 
@@ -135,7 +135,7 @@ class Greeting:
         return 0 if self.is_done else (_HELLO if self._said is None else _PROOF) - len(self._taken)
 
     def take(self, data):
-        """Takes at most wanted() bytes; what is to be sent now. A Stranger if who sent this has not the key."""
+        """Takes at most wanted() bytes; what is to be sent now. Raises Stranger if the sender does not have the key."""
         self._taken += data
         if self._said is None and not self._taken.startswith(TITLE[:len(self._taken)]):
             raise Stranger  # who says something else from the start is not waited for
@@ -154,7 +154,7 @@ class Greeting:
     def _answer(self, other):
         own = self._own.raw
         received, sent = _room(_SHARED), _room(_SHARED)
-        # A number that is never drawn, or our own one.
+        # A number that is never sampled, or our own one.
         if own == other or self._sodium.crypto_kx_server_session_keys(received, sent, self._own, self._secret, other):
             raise Stranger
         self._said = TITLE + other + own

@@ -90,7 +90,7 @@ class SealedPort:
             try:
                 data = self._records.open()
             except Forged:
-                raise LinkForged("what came is not what the other end sent: it was changed, repeated or left out") from None
+                raise LinkForged("a third party changed, repeated or removed data") from None
             if data is not None:
                 if not data:
                     raise LinkClosed("the other end hung up")
@@ -130,7 +130,7 @@ def _first_that_speaks(listener):
                 return Port(peer.fileno(), False, peer)
         except OSError:
             pass
-        say("note: a peer hung up without a word" if ready else
+        say("note: a peer hung up before it sent anything" if ready else
             f"note: a peer said nothing for {GREETING_S} s and was dropped")
         peer.close()
 
@@ -169,19 +169,19 @@ class _Door:
             answer = greeting.take(data) if data else b""
             if data and peer.send(answer) == len(answer):  # a new connection has room for it
                 return greeting.is_done
-            self._drop(peer, "hung up before it showed that it has the key")
+            self._drop(peer, "hung up before it authenticated")
         except BlockingIOError:
             pass
         except Stranger:
-            self._drop(peer, "has not the key")
+            self._drop(peer, "does not have the key")
         except OSError:
-            self._drop(peer, "hung up before it showed that it has the key")
+            self._drop(peer, "hung up before it authenticated")
         return False
 
     def _drop_late(self):
         now = time.monotonic()
         for peer in [peer for peer, (until, _) in self._unknown.items() if until <= now]:
-            self._drop(peer, f"did not show within {GREETING_S} s that it has the key")
+            self._drop(peer, f"did not authenticate within {GREETING_S} s")
 
     def _drop(self, peer, why):
         peer.close()
@@ -189,8 +189,8 @@ class _Door:
         self._dropped += 1
         if self._dropped == self._next_note:  # repeated connections fill no disk
             self._next_note *= 10
-            say(f"note: a stranger {why} and was dropped" +
-                ("" if self._dropped == 1 else f", as {self._dropped} so far"))
+            say(f"note: dropped a peer that {why}" +
+                ("" if self._dropped == 1 else f"; {self._dropped} dropped so far"))
 
     def _let_in(self):
         try:
@@ -198,7 +198,7 @@ class _Door:
         except OSError:
             return  # what is wrong with a connection is nothing that is wrong with the listener
         if len(self._unknown) == MOST_UNKNOWN:
-            self._drop(next(iter(self._unknown)), "was one of too many")
+            self._drop(next(iter(self._unknown)), "waited longest of too many")
         peer.setblocking(False)
         self._unknown[peer] = (time.monotonic() + GREETING_S, Greeting(self._key))
 
@@ -222,7 +222,7 @@ def _listen_unix(path):
         fcntl.flock(folder, fcntl.LOCK_EX)  # two programs must not remove each other's socket
         if os.path.lexists(path):
             if not stat.S_ISSOCK(os.lstat(path).st_mode) or _is_alive(path):
-                raise OSError(errno.EADDRINUSE, "another program listens on it, or it is no socket")
+                raise OSError(errno.EADDRINUSE, "another program listens on it, or it is not a socket")
             os.unlink(path)
         if os.path.lexists(path + "~") and stat.S_ISSOCK(os.lstat(path + "~").st_mode):
             os.unlink(path + "~")
@@ -289,7 +289,7 @@ def open_serial(path, baud):
     try:
         settings = termios.tcgetattr(file)
     except termios.error:
-        raise OSError(errno.ENOTTY, "it is no serial line") from None
+        raise OSError(errno.ENOTTY, "it is not a serial line") from None
     try:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)  # also keeps root out, who is not bound by TIOCEXCL
     except BlockingIOError:

@@ -20,7 +20,7 @@ _GREETING = struct.Struct("<BBHQI")
 
 
 class FrameError(Exception):
-    """Bytes that are no frame of this session."""
+    """Bytes that are not a frame of this session."""
 
 
 class SessionOver(Exception):
@@ -28,7 +28,7 @@ class SessionOver(Exception):
 
 
 class ProtocolError(Exception):
-    """The peer is no hub of this graph, or no hub at all."""
+    """The peer is not a hub of this graph, or no hub at all."""
 
 
 def _tables(most):

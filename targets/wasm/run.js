@@ -65,7 +65,7 @@ function settingOf(text, simulation) {
                            [, name, list, at] = /^([^=]+)=([^@]+)(?:@(\d{1,19}))?$/.exec(text) || [];
   const refuse = (message, help) => new Failure(kBadUsage, `\`--set ${text}\`: ${message}`, help);
   const values = (list || "").split(",").map((value) => value.trim() === "" ? NaN : Number(value));
-  if (!values.every(Number.isFinite)) throw refuse("this is no setting", "write NAME=NUMBER, or NAME=NUMBER@STEP");
+  if (!values.every(Number.isFinite)) throw refuse("this is not a setting", "write NAME=NUMBER, or NAME=NUMBER@STEP");
   const field = about.states.find((each) => each.name === name);
   if (!field)
     throw refuse(

@@ -30,7 +30,7 @@ function checkExports(exports) {
   const missing = kCalls.find((name) => typeof exports[`eagerx_${name}`] !== "function");
   if (missing) throw new Error(`this is no module that eagerx-gen has made: it has no function eagerx_${missing}`);
   if (!(exports.memory instanceof WebAssembly.Memory))
-    throw new Error("this is no module that eagerx-gen has made: it has no memory");
+    throw new Error("this is not a module that eagerx-gen has made: it has no memory");
 }
 
 /** What a module says of itself. Throws Error unless it is that, and has room in its memory. */
@@ -45,12 +45,12 @@ function readAbout(text, memoryBytes) {
   const positive = (number) => Number.isSafeInteger(number) && number > 0;
   if (about === null || typeof about !== "object") throw wrong("it says nothing of itself");
   for (const name of ["graph", "engine", "agent"])
-    if (typeof about[name] !== "string") throw wrong(`\`${name}\` is no text`);
+    if (typeof about[name] !== "string") throw wrong(`\`${name}\` is not a text`);
   if (!Array.isArray(about.rate) || about.rate.length !== 2 || !about.rate.every(positive))
     throw wrong("`rate` is not two whole numbers");
   if (!Array.isArray(about.tunable) || !about.tunable.every((name) => typeof name === "string"))
-    throw wrong("`tunable` is no list of names");
-  if (!Number.isInteger(about.steps) || about.steps < 0) throw wrong("`steps` is no whole number");
+    throw wrong("`tunable` is not a list of names");
+  if (!Number.isInteger(about.steps) || about.steps < 0) throw wrong("`steps` is not a whole number");
   for (const name of new Set(Object.values(kRows))) {
     const fields = about[name];
     if (!Array.isArray(fields)) throw wrong(`\`${name}\` is no list`);
@@ -88,7 +88,7 @@ class Simulation {
     checkExports(this.calls);
     if (this.calls._initialize) this.calls._initialize();
     const problem = [
-      null, "this machine does not keep denormal numbers, or rounds otherwise",
+      null, "this machine flushes denormal numbers, or does not round to nearest",
       "this module was compiled with flags that change the bits of its numbers",
       "this machine's answers of the policy differ from the generator's"
     ][this.calls.eagerx_check()];

@@ -17,7 +17,7 @@ class Trial:
         self.token = lines[self.line - 1][self.column - 1:][:self.length] if 0 < self.line <= len(lines) else ""
 
     def opened(self):
-        """A fresh document, and the way to the problem; None if the text is no YAML."""
+        """A fresh document, and the way to the problem; None if the text is not YAML."""
         try:
             document = Document(self.text)
         except yaml.YAMLError:
@@ -317,7 +317,7 @@ class Trial:
         return self.text.splitlines()[self.line - 1][self.column - 1:]
 
     def of_kind(self, word):
-        """The kind of value that the problem has, drawn in one way."""
+        """The kind of value that the problem has, sampled in one way."""
         document, way = self.opened()
         collection, i, _ = way[-1]
         value = collection.value[i][1] if is_map(collection) else collection.value[i]

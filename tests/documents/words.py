@@ -29,7 +29,7 @@ def sentences(text):
 
 
 def code_lines(text):
-    """(line, text) of a file that is no document, without the marks that comments begin with."""
+    """(line, text) of a file that is not a document, without the marks that comments begin with."""
     for number, line in enumerate(text.splitlines(), 1):
         yield number, re.sub(r"^\s*(?:///?|#+|\*+|--|;|\")?\s*", "", line)
 

@@ -178,7 +178,7 @@ static void check_equality(void) {
   int good = 1, differ = 1;
   for (uint32_t k = 0; k < MOST; ++k) good = good && episodes(k, 1, EAGERX_NEXT_STEP, 1, alone + k);
   for (uint32_t k = 1; k < MOST; ++k) differ = differ && alone[k] != alone[k - 1];
-  expect(good && differ, "environments alone, each with draws of its own");
+  expect(good && differ, "environments alone, each with samples of its own");
   for (uint32_t mode = EAGERX_NEXT_STEP; mode <= EAGERX_DISABLED; ++mode) {
     char text[100];
     int same = episodes(0, MOST, mode, 1, together) && memcmp(alone, together, sizeof alone) == 0;
@@ -326,47 +326,47 @@ static void check_not_finite(void) {
     for (size_t i = 0; i < 2 * observed; ++i)
       finite = finite && (step < 2 || !isinf(b.rows.observation[i]));
   }
-  expect(finite, "actions that are no numbers");
+  expect(finite, "actions that are not numbers");
   const char* counts = eagerx_counts(batch);
   expect(counts != NULL && strstr(counts, "\"safe: action not finite: ") != NULL, counts);
   eagerx_destroy(batch);
   drop(&b);
 }
 
-/* States that are set are those of the next episode, and only of it; the others are drawn. */
+/* States that are set are those of the next episode, and only of it; the others are sampled. */
 static void check_states(void) {
   eagerx_options options = plain(4);
   eagerx_environments* batch = eagerx_create(&options);
   buffers b = make(4);
   const size_t bytes = 4 * states_size * sizeof(float);
-  float* drawn = room(4 * states_size, sizeof(float));
+  float* sampled = room(4 * states_size, sizeof(float));
   float* set = room(4 * states_size, sizeof(float));
   float* got = room(4 * states_size, sizeof(float));
   uint64_t seeds[4] = {3, 3, 4, 4};
   int good = eagerx_reset(batch, NULL, seeds, b.rows.observation) == 0 &&
-             eagerx_get_states(batch, drawn) == 0;
+             eagerx_get_states(batch, sampled) == 0;
   for (size_t i = 0; i < 4 * states_size; ++i) set[i] = NAN;
-  memcpy(set + states_size, drawn,
+  memcpy(set + states_size, sampled,
          states_size * sizeof(float)); /* environment 1 begins as environment 0 did */
   b.mask[1] = 1;
   good = good && eagerx_set_states(batch, b.mask, set) == 0 &&
          eagerx_reset(batch, b.mask, NULL, NULL) == 0;
   good = good && eagerx_get_states(batch, got) == 0;
-  memcpy(set, drawn, bytes);
-  memcpy(set + states_size, drawn, states_size * sizeof(float));
+  memcpy(set, sampled, bytes);
+  memcpy(set + states_size, sampled, states_size * sizeof(float));
   expect(good && memcmp(got, set, bytes) == 0, "states that are set");
   good = eagerx_reset(batch, NULL, seeds, b.rows.final_observation) == 0 &&
          eagerx_get_states(batch, got) == 0;
-  expect(good && memcmp(got, drawn, bytes) == 0, "and drawn again for the episode behind it");
+  expect(good && memcmp(got, sampled, bytes) == 0, "and sampled again for the episode behind it");
   expect(memcmp(b.rows.observation, b.rows.final_observation, 4 * observed * sizeof(float)) == 0,
          "a seed gives the same observations again");
   double* exact = room(4 * states_size, sizeof(double));
   good = eagerx_get_exact_states(batch, exact) == 0;
   for (size_t i = 0; i < 4 * states_size; ++i)
-    good = good && ((float)exact[i] == drawn[i] || (exact[i] != exact[i] && drawn[i] != drawn[i]));
+    good = good && ((float)exact[i] == sampled[i] || (exact[i] != exact[i] && sampled[i] != sampled[i]));
   expect(good, "the states as doubles are the same");
   free(exact);
-  free(drawn);
+  free(sampled);
   free(set);
   free(got);
   eagerx_destroy(batch);

@@ -290,7 +290,7 @@ TEST_F(FtdiLinkTest, I2cChipsInOneRoundTrip) {
   EXPECT_EQ(sample(), BusError::none);
 }
 
-TEST_F(FtdiLinkTest, NobodyAcknowledges) {
+TEST_F(FtdiLinkTest, NoAnswerCountsAsAFailure) {
   drivers::Pca9685 absent(0x41);
   absent.all_off(link);
   ASSERT_EQ(link.run(), BusError::none);

@@ -48,7 +48,7 @@ std::string path_of_run() {
   return "/dev/shm/fuzz_journal." + std::to_string(getpid());
 }
 
-/// False if it is no journal, or of another campaign.
+/// False if it is not a journal, or of another campaign.
 bool resume(std::string_view bytes) {
   static const std::string path = path_of_run();
   eagerx::client::write_file(path, bytes);

@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLE = ROOT / "examples/gymnasium_classics"
 
 
-# What half of the episodes do instead of drawing actions, so that goals are reached: push along with the motion, or
+# What half of the episodes do instead of sampling actions, so that goals are reached: push along with the motion, or
 # hold the pole. Observations [count, n] to actions [count].
 def hold(seen):
     return seen[:, 2] + 0.4 * seen[:, 3] + 0.05 * seen[:, 0] + 0.15 * seen[:, 1] > 0
@@ -65,7 +65,7 @@ def compare(name, episodes, real, does_well=None):
     """([episodes] largest difference of an observation or, over 1 + its size, of a reward; episodes that do not end alike;
     episodes terminated; steps).
 
-    Without `does_well` actions are drawn, and both only begin in the same state. With it, most actions are what it says;
+    Without `does_well` actions are sampled, and both only begin in the same state. With it, most actions are what it says;
     and because a held pole and fast links are unstable, so that the last bit of a sine grows to radians within an episode,
     each step begins in the same state, too.
     """
@@ -99,7 +99,7 @@ def compare(name, episodes, real, does_well=None):
 
 def check(expect, episodes):
     for name, (_, _, does_well) in ENVIRONMENTS.items():
-        for real, policy, what in (("double", None, "whole episodes of drawn actions"), ("float", does_well, "step by step, doing well")):
+        for real, policy, what in (("double", None, "whole episodes of sampled actions"), ("float", does_well, "step by step, doing well")):
             worst, unlike, terminated, steps = compare(name, episodes, real, policy)
             beyond = int((worst >= 1e-5).sum())
             # Some of Acrobot's episodes become fast, and then no two libraries of mathematics agree for 100 s.

@@ -1,4 +1,4 @@
-/* Loaded before a part (LD_PRELOAD): libsodium draws the numbers of targets/PROTOCOL.md. What is of 32 bytes is a secret
+/* Loaded before a part (LD_PRELOAD): libsodium samples the numbers of targets/PROTOCOL.md. What is of 32 bytes is a secret
    half, what is of 24 the head of a stream. */
 #include <dlfcn.h>
 #include <stddef.h>

@@ -140,7 +140,7 @@ def no_greeting(command):
     part.send(b"GET / HTTP/1.1\r\n" * 5000)
     closed = part.receive(1) == b""
     code = part.ends()
-    expect(f"{part.name}: a peer that is no hub is not served for ever", closed and code == 1, (closed, code))
+    expect(f"{part.name}: a peer that is not a hub is not served for ever", closed and code == 1, (closed, code))
 
 
 def slow(command):

@@ -128,7 +128,7 @@ def refused():
     served = Served()
     served.send(b"GET / HTTP/1.1\r\n" * 5000)
     end = served.over()
-    expect("a peer that is no hub", isinstance(end, link.ProtocolError) and "no greeting" in str(end), repr(end))
+    expect("a peer that is not a hub", isinstance(end, link.ProtocolError) and "no greeting" in str(end), repr(end))
     served = Served()
     welcome = served.greet(graph=GRAPH ^ 1)
     answered = int.from_bytes(welcome[2][4:12], "little")
@@ -149,9 +149,9 @@ def refused():
     for bad in (b"", b"\x05", b"\x00", bytes(range(1, 9))):
         try:
             link.decode_frame(bad)
-            expect(f"{bad!r} is no frame", False)
+            expect(f"{bad!r} is not a frame", False)
         except link.FrameError as error:
-            expect(f"{bad!r} is no frame: {error}", True)
+            expect(f"{bad!r} is not a frame: {error}", True)
 
 
 def messages():
@@ -165,9 +165,9 @@ def messages():
     for value in ([1, 2, 256], [1.0, 2.0, 3.0], [1, 2], "abc", None):
         try:
             small.set(0, value, "x")
-            expect(f"{value!r} is no uint8 [3]", False)
+            expect(f"{value!r} is not a uint8 [3]", False)
         except eagerx_part.PartError as error:
-            expect(f"{value!r} is no uint8 [3]: {error}", True)
+            expect(f"{value!r} is not a uint8 [3]: {error}", True)
 
 
 def on_the_line():
@@ -193,9 +193,9 @@ def addresses():
     os.makedirs(os.path.join(FOLDER, "taken"), exist_ok=True)
     try:
         line.listen("unix:" + os.path.join(FOLDER, "taken"))
-        expect("what is no socket stays", False)
+        expect("what is not a socket stays", False)
     except OSError as error:
-        expect(f"what is no socket stays: {error.strerror}", os.path.isdir(os.path.join(FOLDER, "taken")))
+        expect(f"what is not a socket stays: {error.strerror}", os.path.isdir(os.path.join(FOLDER, "taken")))
 
 
 known_answers()

@@ -6,7 +6,7 @@
 
 Each PART is a part of the page's graph: a program, or the folder of a part in Python. What the page says that the hub
 says is sent, and what the part says must be the page's, byte by byte. For the bytes with a key, FIXED_RANDOM is loaded
-into the part: it draws the page's numbers.
+into the part: it samples the page's numbers.
 """
 import ctypes
 import os
@@ -99,7 +99,7 @@ def converse(command, script, key, fixed_random):
     return code == 0
 
 
-class Drawn:
+class Sampled:
     """Random numbers of libsodium in this process, for the hub or the part of the page."""
 
     def __init__(self, sodium):
@@ -135,11 +135,11 @@ def sealed_lines(script):
     """What the hub and the part of the page say, as tests/trust/sealed.py says it: three blocks."""
     sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../trust"))
     import sealed  # noqa: PLC0415  it needs libsodium, which a page without a key does not
-    drawn = Drawn(sealed.sodium)
+    sampled = Sampled(sealed.sodium)
 
     class Page(sealed.Sealed):
         def __init__(self, secret, head, answers, connects):
-            drawn.secret, drawn.head = secret, head
+            sampled.secret, sampled.head = secret, head
             self.silent = Silent(answers)
             try:
                 super().__init__(self.silent, bytes(range(32)), connects)

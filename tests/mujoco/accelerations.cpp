@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tests/mujoco/plant.hpp"
-#include "tests/unit/multibody/drawn_state.hpp"
+#include "tests/unit/multibody/sampled_state.hpp"
 
 namespace {
 
@@ -21,10 +21,10 @@ constexpr double kBoundInDouble = 1e-9, kBoundInFloat = 5e-5;
 
 /// In the order of engine_accelerations().
 template <class Model>
-std::vector<double> mujoco_accelerations(Plant<Model>& plant, const DrawnState<Model>& at) {
+std::vector<double> mujoco_accelerations(Plant<Model>& plant, const SampledState<Model>& at) {
   mjData& data = *plant.data;
   std::fill_n(data.qfrc_applied, plant.model->nv, 0.0);
-  if constexpr (DrawnState<Model>::kFloating) {
+  if constexpr (SampledState<Model>::kFloating) {
     std::copy_n(&at.pose[0], 7, data.qpos);
     mju_normalize4(data.qpos + 3);
     std::copy_n(&at.twist[0], 3, data.qvel);
@@ -40,7 +40,7 @@ std::vector<double> mujoco_accelerations(Plant<Model>& plant, const DrawnState<M
   }
   mj_forward(plant.model, plant.data);
   std::vector<double> result;
-  if constexpr (DrawnState<Model>::kFloating) {
+  if constexpr (SampledState<Model>::kFloating) {
     double turn[3];
     mju_rotVecQuat(turn, data.qacc + 3, data.qpos + 3);
     result.assign(data.qacc, data.qacc + 3);
@@ -63,11 +63,11 @@ struct Errors {
 
 template <class Model>
 Errors errors_of(const std::vector<std::vector<double>>& expected, double most_torque) {
-  Draw draw;
+  Sampler sample;
   Errors errors;
   for (const auto& one : expected)
     errors.of_state.push_back(
-        relative_error(engine_accelerations(DrawnState<Model>(draw, most_torque)), one));
+        relative_error(engine_accelerations(SampledState<Model>(sample, most_torque)), one));
   return errors;
 }
 
@@ -76,11 +76,11 @@ template <template <class> class Model>
 bool compare(std::FILE* table) {
   using Robot = ComparedRobot<Model>;
   Plant<Model<double>> plant({});
-  Draw draw;
+  Sampler sample;
   std::vector<std::vector<double>> expected;
   for (int n = 0; n < kStates; ++n)
     expected.push_back(
-        mujoco_accelerations(plant, DrawnState<Model<double>>(draw, Robot::kMostTorque)));
+        mujoco_accelerations(plant, SampledState<Model<double>>(sample, Robot::kMostTorque)));
   for (std::size_t n = 0; table != nullptr && n < kTableStates; ++n) {
     std::fprintf(table, "%s", Robot::kName);
     for (const double a : expected[n]) std::fprintf(table, ",%.17g", a);
@@ -90,7 +90,7 @@ bool compare(std::FILE* table) {
   Errors in_float = errors_of<Model<float>>(expected, Robot::kMostTorque);
   std::printf(
       "%-10s %2d joints   double: worst %.1e, median %.1e   float: worst %.1e, median %.1e\n",
-      Robot::kName, plant.model->nv - (DrawnState<Model<double>>::kFloating ? 6 : 0),
+      Robot::kName, plant.model->nv - (SampledState<Model<double>>::kFloating ? 6 : 0),
       in_double.worst(), in_double.median(), in_float.worst(), in_float.median());
   return in_double.worst() < kBoundInDouble && in_float.worst() < kBoundInFloat;
 }

@@ -13,7 +13,7 @@
 #include <models/engines/multibody_engine/multibody_simulator.hpp>
 #include <vector>
 
-#include "tests/unit/multibody/drawn_state.hpp"
+#include "tests/unit/multibody/sampled_state.hpp"
 
 namespace {
 
@@ -46,7 +46,7 @@ struct Model : Robot<Io> {
 constexpr int kStates = 1000;
 
 /// Accelerations of the joints, which have the same names in MuJoCo.
-std::vector<double> of_mujoco(const mjModel& model, mjData& data, const DrawnState<Model>& at) {
+std::vector<double> of_mujoco(const mjModel& model, mjData& data, const SampledState<Model>& at) {
   mj_resetData(&model, &data);
   for (int j = 0; j < model.njnt; ++j) {
     if (model.jnt_type[j] != mjJNT_FREE) continue;
@@ -89,10 +89,10 @@ int main(int argc, char** argv) {
   model->opt.gravity[0] = model->opt.gravity[1] = 0.0;
   model->opt.gravity[2] = -9.81;
   mjData* const data = mj_makeData(model);
-  Draw draw;
+  Sampler sample;
   double worst = 0.0;
   for (int n = 0; n < kStates; ++n) {
-    const DrawnState<Model> at(draw, 1.0);
+    const SampledState<Model> at(sample, 1.0);
     std::vector<double> mine = engine_accelerations(at);
     mine.erase(mine.begin(), mine.end() - static_cast<std::ptrdiff_t>(at.kJoints));
     worst = std::max(worst, relative_error(mine, of_mujoco(*model, *data, at)));

@@ -1,4 +1,4 @@
-# Rewards that are no numbers, in the program, in libraries, trainer and campaign, on an emulated board.
+# Rewards that are not numbers, in the program, in libraries, trainer and campaign, on an emulated board.
 if(EAGERX_SANITIZE)
   return() # the library is opened by programs without sanitizers
 endif()

@@ -55,7 +55,7 @@ TEST(ControllerTest, AMeasurementThatIsGoneForEverLeadsToTheSafeOutput) {
   EXPECT_EQ(voltage, -0.5F);
 }
 
-TEST(ControllerTest, WhatNobodyMeasuresIsNotZero) {
+TEST(ControllerTest, UnmeasuredOutputsAreNotZero) {
   const graphs::arm::Action nothing = graphs::arm::not_measured();
   std::size_t numbers = 0;
   nothing.for_each([&](const char* name, const auto& message) {
@@ -89,7 +89,7 @@ TEST(ControllerTest, HeldNodesGoOnFromWhereTheyStood) {
     const auto seen = with_fault.step({.joints = {kNaN, 0.0F}, .rates = {0.0F, 0.0F}});
     EXPECT_EQ(seen.torque.back()[0], 2.0F);
     EXPECT_EQ(seen.torque.back()[1], -1.0F);
-    EXPECT_EQ(seen.wanted.back()[0], wanted) << "what is no output is what the nodes sent last";
+    EXPECT_EQ(seen.wanted.back()[0], wanted) << "what is not an output is what the nodes sent last";
   }
   for (int i = 0; i < 2; ++i) with_fault.step(action(100 + i));  // recovering: two of three
   for (int i = 60; i < 80; ++i) {

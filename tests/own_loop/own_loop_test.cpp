@@ -162,7 +162,7 @@ TEST(OwnLoopTest, TheGuardIsOffForWhoSaysSo) {
   for (const auto& [name, count] : counts_of(program)) EXPECT_EQ(count, 0U) << name;
 }
 
-TEST(OwnLoopTest, ALoopThatRoundsOtherwiseIsTold) {
+TEST(OwnLoopTest, ALoopThatRoundsOtherwiseIsReported) {
   EXPECT_TRUE(graphs::wide::Graph::self_test());
   std::fesetround(FE_UPWARD);
   const bool upward = graphs::wide::Graph::self_test();

@@ -290,7 +290,7 @@ test("a wire to the observations makes one, also pulled from the input's side", 
   ]);
 });
 
-test("a wire that is let go over nothing is no connection", async () => {
+test("a wire that is let go over nothing is not a connection", async () => {
   await show({tree: kServo});
   drag(portPoint(box("smooth"), "outputs", 0), [-4000, -4000]);
   assert.ok(!connectDialog.open);

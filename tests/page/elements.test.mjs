@@ -19,7 +19,7 @@ test("names break behind dots, slashes and underscores and before an index, neve
   assert.deepEqual(box.children.map((child) => child.tagName), ["wbr", "wbr"]);
 });
 
-test("what is no element is text", () => {
+test("what is not an element is text", () => {
   const box = el("p.a.b", {title: "t", "aria-label": "l"}, "<b>", 5, null, [["&"]], el("i", {}, "x"));
   assert.equal(box.textContent, "<b>5&x");
   assert.deepEqual(

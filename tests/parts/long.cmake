@@ -4,9 +4,9 @@ add_test(NAME parts COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DIR} 
 set_tests_properties(parts PROPERTIES COST 900) # compiles some thirty programs
 # Random graphs of integer entities in random parts, all in one process; and graphs with reset nodes.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
-add_test(NAME parts.drawn COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/drawn --seeds 0-7 $<TARGET_FILE:eagerx-gen>)
-add_test(NAME parts.drawn_resets COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/drawn --reset-nodes --seeds 0-3 $<TARGET_FILE:eagerx-gen>)
-set_tests_properties(parts.drawn parts.drawn_resets PROPERTIES COST 50) # compiles the hubs and parts of twelve graphs
+add_test(NAME parts.random COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/random_parts --seeds 0-7 $<TARGET_FILE:eagerx-gen>)
+add_test(NAME parts.random_resets COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/random_parts --reset-nodes --seeds 0-3 $<TARGET_FILE:eagerx-gen>)
+set_tests_properties(parts.random parts.random_resets PROPERTIES COST 50) # compiles the hubs and parts of twelve graphs
 # In real time, as the line to a part has the machine's clock.
 add_test(NAME parts.hardware COMMAND ${CMAKE_CURRENT_LIST_DIR}/hardware ${PROJECT_BINARY_DIR})
 set_tests_properties(parts.hardware PROPERTIES COST 400) # compiles four programs

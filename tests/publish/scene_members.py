@@ -28,7 +28,7 @@ def problem_of(value, wanted, where):
     """Empty, or the first thing that is missing, too much or of another type."""
     if isinstance(wanted, list):
         if not isinstance(value, list):
-            return f"{where} is no list"
+            return f"{where} is not a list"
         problems = (problem_of(each, wanted[0], f"{where}[{i}]") for i, each in enumerate(value))
         return next(filter(None, problems), "")
     if isinstance(wanted, dict):

@@ -1,4 +1,4 @@
-"""Graphs of integer entities (tests/conformance/models): written by hand, and drawn at random. A graph is made
+"""Graphs of integer entities (tests/conformance/models): written by hand, and sampled at random. A graph is made
 here once and turned into both the generator's YAML and the network of kahn.py.
 """
 import random
@@ -113,7 +113,7 @@ class Graph:
                                feedthroughs=[self._input(f"{name}.feedthroughs.{o}", o) for o in outputs], target=thing, callbacks=callbacks)
         return Network(nodes)
 
-    def draw_episodes(self, seed):
+    def sample_episodes(self, seed):
         """The states of two episodes: none set, then all."""
         chooser = random.Random(seed)
         states = {(thing, "st0"): (chooser.randrange(1000), 0) for thing in self.things}

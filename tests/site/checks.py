@@ -66,7 +66,7 @@ def check(site):
             parts = urllib.parse.urlsplit(link)
             if parts.scheme or parts.netloc:
                 if not parts.scheme.startswith("http") and parts.scheme != "mailto":
-                    problems.append(f"{name}: `{link}` is no address for a page")
+                    problems.append(f"{name}: `{link}` is not an address for a page")
                 continue
             count += 1
             target = posixpath.normpath(posixpath.join(posixpath.dirname(name), urllib.parse.unquote(parts.path))) if parts.path else name

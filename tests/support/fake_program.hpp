@@ -70,7 +70,7 @@ class FakeProgram final : public GraphProgram {
   std::size_t action_bytes() const override { return sizeof(FakeAction); }
   void zero(void* action) const override { *static_cast<FakeAction*>(action) = {}; }
   void sample(EpisodeKey /*key*/, StateRow states) const override {
-    states.has_value[0] = true;  // the delay is drawn
+    states.has_value[0] = true;  // the delay is sampled
     *static_cast<double*>(states.messages[0]) = 0.25;
   }
   void warm_up() override {}

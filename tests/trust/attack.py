@@ -8,7 +8,7 @@ import sys
 import threading
 import traceback
 
-from play import RUN, Between, Stage, at, cost_of, drawn, flipped, generator, hash_in
+from play import RUN, Between, Stage, at, cost_of, sampled, flipped, generator, hash_in
 from sealed import Refused, Sealed, key_of
 
 GENERATOR, WORK = sys.argv[1:3]
@@ -110,7 +110,7 @@ def a_second_implementation(stage):
         to_part = Sealed(socket.create_connection(("127.0.0.1", port)), key, connects=True)
 
         def carry(source, target):
-            # A peer with the key may still send what is no frame: it is ignored, as on every line.
+            # A peer with the key may still send what is not a frame: it is ignored, as on every line.
             for number in range(MANY):
                 target.send(b"\0" + bytes(noise.randrange(1, 256) for _ in range(number % 60)) + b"\0")
             try:
@@ -134,14 +134,14 @@ def a_second_implementation(stage):
 def another_key(stage):
     part, port = stage.left("--key", stage.key)
     nothing_of = stage.hub(port, "--key", "left=" + os.path.join(WORK, "other.key"), key=False)
-    check(nothing_of.wait() == 3 and "has not this key" in nothing_of.said(), "a hub with another key", nothing_of.said())
+    check(nothing_of.wait() == 3 and "does not have this key" in nothing_of.said(), "a hub with another key", nothing_of.said())
     check(part.process.poll() is None, "the part continues to listen")
     same_hash(stage.hub(port))
 
 
 def a_key_on_one_side(stage):
     hub = stage.hub(stage.left()[1])
-    check(hub.wait() == 3 and "help: is it started with `--key`" in hub.said(), "a part without", hub.said())
+    check(hub.wait() == 3 and "help: start it with `--key`" in hub.said(), "a part without", hub.said())
     part, port = stage.left("--key", stage.key)
     hub = stage.hub(port, key=False)
     check(hub.wait() == 3 and "the other end hung up" in hub.said(), "a hub without", hub.said())
@@ -173,8 +173,8 @@ def slow_greetings(stage):
     server = socket.create_server(("127.0.0.1", 0))
     threading.Thread(target=lambda: drip(server.accept()[0], bytes(range(73))), daemon=True).start()
     hub = stage.hub(server.getsockname()[1])
-    check(hub.wait() == 3 and "does not show in time that it has the key" in hub.said(), "the hub ends", hub.said())
-    part.until(lambda: "did not show within 5 s that it has the key" in part.said(), "the end of a slow greeting")
+    check(hub.wait() == 3 and "did not authenticate in time" in hub.said(), "the hub ends", hub.said())
+    part.until(lambda: "did not authenticate within 5 s" in part.said(), "the end of a slow greeting")
     slow.append(socket.create_connection(("127.0.0.1", port)))
     same_hash(stage.hub(port))
     end.set()
@@ -190,7 +190,7 @@ def many_hostile_connections(stage):
     kept = []
     for number in range(MANY):
         kind = number % 5
-        says = [b"", drawn(rng, rng.randrange(1, 200)), earlier[0] + drawn(rng, 41), b"".join(earlier),
+        says = [b"", sampled(rng, rng.randrange(1, 200)), earlier[0] + sampled(rng, 41), b"".join(earlier),
                 flipped(earlier[0] + earlier[1], rng)][kind]
         try:
             connection = socket.create_connection(("127.0.0.1", port))
@@ -211,8 +211,8 @@ def hostile_answers(stage):
     same_hash(stage.hub(between.port))
     answer, rng = between.back.said[0], generator(2)
     own = between.there.said[0][16:]
-    for says in (answer, answer[:50], drawn(rng, 73), own + drawn(rng, 41), own * 3, bytes(73), flipped(answer, rng),
-                 drawn(rng, 100_000)):
+    for says in (answer, answer[:50], sampled(rng, 73), own + sampled(rng, 41), own * 3, bytes(73), flipped(answer, rng),
+                 sampled(rng, 100_000)):
         server = socket.create_server(("127.0.0.1", 0))
 
         def speak(says=says, server=server):
@@ -234,11 +234,11 @@ def hostile_answers(stage):
     def reflect():
         connection = server.accept()[0]
         said = connection.recv(4096)
-        connection.sendall(said[16:] + drawn(rng, 41))
+        connection.sendall(said[16:] + sampled(rng, 41))
 
     threading.Thread(target=reflect, daemon=True).start()
     hub = stage.hub(server.getsockname()[1])
-    check(hub.wait() == 3 and "has not this key" in hub.said(), "reflected", hub.said())
+    check(hub.wait() == 3 and "does not have this key" in hub.said(), "reflected", hub.said())
 
 
 # --- an attacker on the line between them ---
@@ -265,10 +265,10 @@ def changed_on_the_way(stage):
         "in another order": lambda d: at(6, hold),
         "reflected": lambda d: once(5, lambda way, record: [way.other.records[-1]]),
         "of an earlier session": lambda d: at(4, lambda way, record: [old[d][len(way.records) - 1]]),
-        "one more": lambda d: once(11, lambda way, record: [record, b"\x05\0" + drawn(rng, 22)]),
-        "the longest": lambda d: once(3, lambda way, record: [b"\xff\xff" + drawn(rng, 70_000)]),
-        "an end": lambda d: once(12, lambda way, record: [b"\0\0" + drawn(rng, 17)]),
-        "10,000 more": lambda d: once(5, lambda way, record: [b"\x08\0" + drawn(rng, 25) for _ in range(MANY)]),
+        "one more": lambda d: once(11, lambda way, record: [record, b"\x05\0" + sampled(rng, 22)]),
+        "the longest": lambda d: once(3, lambda way, record: [b"\xff\xff" + sampled(rng, 70_000)]),
+        "an end": lambda d: once(12, lambda way, record: [b"\0\0" + sampled(rng, 17)]),
+        "10,000 more": lambda d: once(5, lambda way, record: [b"\x08\0" + sampled(rng, 25) for _ in range(MANY)]),
         "cut": lambda d: once(10, lambda way, record: [record[:9], None]),
     }
     for name, attack in attacks.items():
@@ -282,9 +282,9 @@ def changed_on_the_way(stage):
                 if name == "cut":
                     check("it was cut" in hub.said(), "it is said", hub.said())
                 elif direction == "to_part":
-                    check(code == 3 and "was changed, repeated or left out" in part.said(), "the part says it", part.said())
+                    check(code == 3 and "a third party changed, repeated or removed data" in part.said(), "the part says it", part.said())
                 else:
-                    check("was changed, repeated or left out" in hub.said(), "the hub says it", hub.said())
+                    check("a third party changed, repeated or removed data" in hub.said(), "the hub says it", hub.said())
             except AssertionError as problem:
                 raise AssertionError(f"{name}, {direction}: {problem}") from problem
             print(f"     {name}, {direction}: refused")
@@ -308,10 +308,10 @@ def files_that_are_no_key(stage):
     os.chmod(path, 0o600)
     with open(path, "a", encoding="ascii") as file:
         file.write("\n")
-    refused("it is no key: it has 83 bytes or more, a key has 82", path)
+    refused("it is not a key: it has 83 bytes or more, a key has 82", path)
     with open(path, "w", encoding="ascii") as file:
         file.write("x" * 82)
-    refused("it is no key: a key is a line `eagerx-gen key 1 ` and 64 of the digits", path)
+    refused("it is not a key: a key is a line `eagerx-gen key 1 ` and 64 of the digits", path)
     if os.geteuid() == 0:
         os.chown(path, 65534, 65534)
         refused("it belongs to another user", path)

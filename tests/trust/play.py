@@ -190,7 +190,7 @@ def flipped(data, rng):
     return bytes(changed)
 
 
-def drawn(rng, size):
+def sampled(rng, size):
     return bytes(rng.randrange(256) for _ in range(size))
 
 

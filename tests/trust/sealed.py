@@ -22,14 +22,14 @@ if sodium.sodium_init() < 0:
 
 
 class Refused(Exception):
-    """Who is there has not the key, or something was changed on the way."""
+    """The peer does not have the key, or the data were changed on the way."""
 
 
 def key_of(path):
     with open(path, encoding="ascii") as file:
         text = file.read()
     if not text.startswith("eagerx-gen key 1 ") or len(text) != 82:
-        raise ValueError(path + " is no key")
+        raise ValueError(path + " is not a key")
     return bytes.fromhex(text[17:81])
 
 
@@ -90,7 +90,7 @@ class Sealed:
         received, sent = ctypes.create_string_buffer(32), ctypes.create_string_buffer(32)
         exchange = sodium.crypto_kx_client_session_keys if connects else sodium.crypto_kx_server_session_keys
         if own == other or exchange(received, sent, own, secret, other):
-            raise Refused("no number that anybody draws")
+            raise Refused("no peer generates such a number")
 
         def mix(direction, shared):
             return hashlib.blake2b(direction + shared.raw + said, key=key, digest_size=32).digest()

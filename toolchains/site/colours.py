@@ -58,7 +58,7 @@ class Code:
         return "".join(out) + html.escape(text[at:], quote=False)
 
     def yaml(self, text, page):
-        """Keys lead to their rows, ids to their entities. What is no YAML (an excerpt with dots) has no links."""
+        """Keys lead to their rows, ids to their entities. What is not YAML (an excerpt with dots) has no links."""
         marks = []
         try:
             for root in yaml.compose_all(text, Loader=LOADER):

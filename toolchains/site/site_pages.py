@@ -169,7 +169,7 @@ class Site:
                 text = self.sources.shown(path)
                 language = {".yaml": "yaml", ".hpp": "cpp", ".cpp": "cpp", ".h": "cpp", ".py": "python"}.get(pathlib.Path(path).suffix, "text")
                 body = self.code.block(text, language, page) if text is not None else \
-                    f"<p>{(self.sources.root / path).stat().st_size} bytes, which are no text for people.</p>"
+                    f"<p>{(self.sources.root / path).stat().st_size} bytes, which are not text for people.</p>"
             self.made[page] = self.frame(page, path, f'<p class="kind">file</p><h1>{html.escape(path)}</h1>\n{body}')
 
     def files(self):

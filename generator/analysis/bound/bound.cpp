@@ -331,7 +331,8 @@ std::optional<BoundReport> bound_instructions(const std::string& image,
     diagnostics
         .io_error(
             "E0911", {},
-            fmt::format("instructions of `{}` have no bound: it is no image for a Cortex-M", image))
+            fmt::format("instructions of `{}` have no bound: it is not an image for a Cortex-M",
+                        image))
         .help = "other machines are not analysed; count in an emulator with `--run TARGET`";
     return std::nullopt;
   }

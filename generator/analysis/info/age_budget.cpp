@@ -26,10 +26,10 @@ bool is_about(const AgeLimit& limit, const DataAge& age) {
   return (limit.from.empty() || limit.from == age.from) && (limit.to.empty() || limit.to == age.to);
 }
 
-const char* kind_of_source(const WayEnds& ends) {
+const char* kind_of_source(const PathEnds& ends) {
   return ends.from_actions ? "an action" : "a sensor";
 }
-const char* kind_of_destination(const WayEnds& ends) {
+const char* kind_of_destination(const PathEnds& ends) {
   return ends.to_observations ? "an observation" : "an actuator";
 }
 
@@ -60,11 +60,11 @@ class AgeBudget {
   }
 
  private:
-  const DataAges& ages(const WayEnds& ends) {
+  const DataAges& ages(const PathEnds& ends) {
     return ages_.try_emplace(ends, plan_, ends).first->second;
   }
 
-  /// Whether an entry that says it more exactly limits the same ways.
+  /// Whether an entry that says it more exactly limits the same paths.
   static bool has_own(const std::vector<Entry>& entries, const AgeLimit& limit,
                       const DataAge& age) {
     return ranges::any_of(entries, [&](const Entry& other) {
@@ -95,7 +95,7 @@ class AgeBudget {
     limit.ends.through_agent = !limit.ends.from_actions && (!item.agent || item.agent->value);
     if (good && item.agent && limit.ends.from_actions) {
       diagnostics_.error("E0208", item.agent->span, "`agent` does nothing for data of an action")
-          .help = "leave it out: their ways never lead through the agent";
+          .help = "leave it out: their paths never lead through the agent";
       good = false;
     }
     return good ? std::optional(std::move(entry)) : std::nullopt;
@@ -119,7 +119,7 @@ class AgeBudget {
       problem.help = meaning(near);
     } else {
       problem.help = all.empty() ? std::string("the graph has none")
-                                 : fmt::format("there is {}", join(all, ", "));
+                                 : fmt::format("available: {}", join(all, ", "));
     }
     return false;
   }
@@ -139,8 +139,8 @@ class AgeBudget {
         limit.from.empty() ? kind_of_source(limit.ends) : "`" + limit.from + "`";
     const std::string to =
         limit.to.empty() ? kind_of_destination(limit.ends) : "`" + limit.to + "`";
-    const WayEnds with_agent{limit.ends.from_actions, limit.ends.to_observations,
-                             !limit.ends.from_actions};
+    const PathEnds with_agent{limit.ends.from_actions, limit.ends.to_observations,
+                              !limit.ends.from_actions};
     const auto& around = ages(with_agent).known();
     const bool through_agent =
         limit.ends != with_agent &&
@@ -172,15 +172,15 @@ class AgeBudget {
   const Plan& plan_;
   const Graph& graph_;
   Diagnostics& diagnostics_;
-  std::map<WayEnds, DataAges> ages_;
+  std::map<PathEnds, DataAges> ages_;
 };
 
 }  // namespace
 
-std::string nodes_on_way(const DataAge& age) {
+std::string nodes_on_path(const DataAge& age) {
   std::string text;
-  for (std::size_t i = 0; i + 1 < age.way.size(); ++i) {
-    const std::string& input = age.way[i].input;
+  for (std::size_t i = 0; i + 1 < age.path.size(); ++i) {
+    const std::string& input = age.path[i].input;
     const std::string node = input.substr(0, input.find('.'));
     text += (i == 0 ? "" : ", ") + (node == "observations" ? "agent" : node);
   }

@@ -13,7 +13,7 @@ void check_ages(const AgeComparison& compared, Diagnostics& diagnostics) {
   for (const Input* input : compared.unknown) {
     diagnostics
         .error("E0420", limit.span,
-               fmt::format("how old data become on the way to `{}` is not known", input->written))
+               fmt::format("the age of the data at `{}` is unknown", input->written))
         .notes.push_back(
             {"its delay is too long, or its rates are too far apart", input->span, ""});
   }
@@ -24,11 +24,11 @@ void check_ages(const AgeComparison& compared, Diagnostics& diagnostics) {
         fmt::format("data of `{}` are up to {:.4g} s old at `{}`, {:.4g} s over the budget of {} s",
                     age.from, age.newest_s.to_double(), age.to,
                     (age.newest_s - limit.at_most_s).to_double(), limit.at_most_s.to_string()));
-    const auto most = std::ranges::max_element(age.way, {}, &AgeHop::newest_s);
+    const auto most = std::ranges::max_element(age.path, {}, &AgeEdge::newest_s);
     problem.notes.push_back({fmt::format("the connection to `{}` adds most of it", most->input),
                              most->span,
                              fmt::format("up to {:.4g} s", most->newest_s.to_double())});
-    if (const std::string nodes = nodes_on_way(age); !nodes.empty())
+    if (const std::string nodes = nodes_on_path(age); !nodes.empty())
       problem.notes.push_back({"they go through " + nodes, {}, ""});
   }
 }

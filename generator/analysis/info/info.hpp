@@ -12,7 +12,7 @@ namespace eagerx::gen {
 /// An entry of `age` in `budget:`.
 struct AgeLimit {
   std::string from, to;  // empty: all of this kind
-  WayEnds ends;
+  PathEnds ends;
   Rational at_most_s;
   Span span;
 };
@@ -41,7 +41,7 @@ PlanInfo info_of(const Plan& plan, const std::optional<BudgetSpec>& budget,
 std::vector<AgeComparison> compare_ages(const Plan& plan, const std::vector<AgeBudgetSpec>& ages,
                                         Diagnostics& diagnostics);
 /// Through which nodes: "position, speed" or "agent, smooth"; empty if there is none between.
-std::string nodes_on_way(const DataAge& age);
+std::string nodes_on_path(const DataAge& age);
 
 /// Rates, slots, buffers.
 std::string plan_text(const PlanInfo& report);

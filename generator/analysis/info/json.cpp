@@ -6,9 +6,9 @@
 namespace eagerx::gen {
 namespace {
 
-Json json_of(const std::vector<AgeHop>& way) {
+Json json_of(const std::vector<AgeEdge>& path) {
   Json json = Json::list();
-  for (const auto& edge : way)
+  for (const auto& edge : path)
     json.push_back(Json{{"input", edge.input}, {"newest", time_json(edge.newest_s)}});
   return json;
 }
@@ -17,7 +17,7 @@ Json json_of(const DataAge& age) {
   Json json = {{"sensor", age.from}, {"actuator", age.to}, {"newest", time_json(age.newest_s)}};
   json["oldest"] = age.oldest_s ? time_json(*age.oldest_s) : Json(nullptr);
   json["reached"] = age.exact;
-  json["way"] = json_of(age.way);
+  json["way"] = json_of(age.path);
   return json;
 }
 
@@ -28,7 +28,7 @@ Json json_of(const DataAge& age, const AgeLimit& limit) {
   json["at_most"] = time_json(limit.at_most_s);
   json["kept"] = age.newest_s <= limit.at_most_s;
   json["agent"] = limit.ends.through_agent || limit.ends.from_actions;
-  json["way"] = json_of(age.way);
+  json["way"] = json_of(age.path);
   return json;
 }
 

@@ -160,7 +160,7 @@ void check_parts_budget(const Plan& plan, const Spanned<Rational>& limit,
                           placed.name, std::ceil(baud), std::ceil(baud - allowed),
                           limit.value.to_string()));
     problem.notes.push_back(
-        {fmt::format("to it go {}; from it come {}", messages_text(plan, link.to_part),
+        {fmt::format("to it: {}; from it: {}", messages_text(plan, link.to_part),
                      messages_text(plan, link.to_hub)),
          placed.span, ""});
   }

@@ -47,7 +47,7 @@ std::string compared_text(const PlanInfo& report) {
       text +=
           fmt::format("  unknown over the connection to {}, at most {}\n", input->written, at_most);
     for (const DataAge& age : compared.ages) {
-      const std::string nodes = nodes_on_way(age);
+      const std::string nodes = nodes_on_path(age);
       text += fmt::format("  {} -> {}: {}, at most {}{}{}\n", age.from, age.to,
                           milliseconds(age.newest_s), at_most,
                           age.newest_s <= limit.at_most_s ? "" : ", too old",
@@ -114,7 +114,7 @@ std::string timing_text(const PlanInfo& report) {
                         milliseconds(age.newest_s),
                         age.oldest_s ? milliseconds(*age.oldest_s) : "unknown",
                         age.exact ? "" : " (sums over connections)");
-    for (const auto& edge : age.way)
+    for (const auto& edge : age.path)
       text += fmt::format("    -> {:<24} {}\n", edge.input, milliseconds(edge.newest_s));
   }
   text += compared_text(report);

@@ -53,7 +53,7 @@ void check(const Output& action, const Input& input, Diagnostics& diagnostics) {
       "W0101", action.span,
       fmt::format("{}`actions.{}` may be {}, but `{}` takes {}", which, action.name,
                   range(action.space, *element), input.written, range(actuator, *element)));
-  problem.label = "what is outside is clipped and counted";
+  problem.label = "values outside are clipped and counted";
   problem.notes.push_back({"connected here", input.span, ""});
   problem.help = fmt::format(
       "write `actions: {{{}: {{space: {{like: {}}}}}}}`, or convert it with a processor",

@@ -76,10 +76,10 @@ class Rates {
   void check(const std::string& what, const Rational& rate_hz, Span span) {
     constexpr std::int64_t kHighest = 100'000;
     if (!(rate_hz > Rational(kHighest))) return;
-    auto& problem = diagnostics_.warning(
-        "W0115", span,
-        fmt::format("{} {} Hz, which is faster than controllers and their computers are", what,
-                    rate_hz.to_string()));
+    auto& problem =
+        diagnostics_.warning("W0115", span,
+                             fmt::format("{} {} Hz, which is faster than controllers usually run",
+                                         what, rate_hz.to_string()));
     const std::string in_hz = (rate_hz / Rational(1000)).to_string() + " Hz";
     problem.help = fmt::format(
         "numbers without a unit are in Hz: write `rate: {}` if that is meant; else `allow: "

@@ -80,8 +80,7 @@ void check_policy(const CheckedGraph& checked, Diagnostics& diagnostics) {
     if (!input.space.low.empty() && !input.space.high.empty()) continue;
     auto& problem = diagnostics.warning(
         "W0107", input.span,
-        fmt::format("the policy takes `{}`, but nothing says how large that can be",
-                    input.written));
+        fmt::format("the policy takes `{}`, but its bounds are unknown", input.written));
     problem.notes.push_back({"the policy", checked.graph.agent.span, ""});
     problem.help = fmt::format(
         "write the bounds that it was trained with: `observations: {{{}: {{space: {{low: …, high: "

@@ -120,7 +120,7 @@ void check_nodes(const Graph& graph, Diagnostics& diagnostics) {
     const GraphNode& node = graph.nodes[n];
     auto& problem =
         diagnostics.warning("W0104", node.span, fmt::format("`{}` reaches nothing", node.name));
-    problem.label = "nothing comes of it at an observation or an actuator";
+    problem.label = "it reaches no observation or actuator";
     problem.help = "connect an output of it, or leave the node out";
   }
 }

@@ -35,7 +35,7 @@ std::vector<GeneratedFile> files_of_nodes(const Plan& plan, const PartLayout& la
         diagnostics
             .error("E0350", node.span,
                    fmt::format("part `{}` cannot import `{}`: {}", placed.name, path,
-                               is_new ? "that is no name of a module"
+                               is_new ? "that is not a name of a module"
                                       : "another file of this part has the same name"))
             .help = "give the file another name: letters, digits and `_`, and `.py`";
       } else if (file.status != LoadedFile::Status::loaded) {

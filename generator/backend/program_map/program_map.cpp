@@ -46,12 +46,12 @@ class Parser {
       : rest_(text), path_(path), diagnostics_(diagnostics) {}
 
   std::optional<ProgramMap> run() {
-    if (next_line() != kFirstLine) return fail("is no program map that this eagerx-gen reads");
+    if (next_line() != kFirstLine) return fail("is not a program map that this eagerx-gen reads");
     while (!rest_.empty()) {
       const std::string_view line = next_line();
       Words words(line);
       if (!line.starts_with('#') && !(take(words) && words.at_end()))
-        return fail("is no line of a program map");
+        return fail("is not a line of a program map");
     }
     if (!has_hash_) return fail("ends without the hash of program.hpp");
     return std::move(map_);

@@ -52,7 +52,7 @@ bool choose_language(Run& run, const GenerateOptions& options) {
       continue;
     }
     run.diagnostics
-        .error("E0502", {}, fmt::format("`{}` is no language that a part can have", name))
+        .error("E0502", {}, fmt::format("`{}` is not a language that a part can have", name))
         .help = suggestion(name, languages(run));
     return false;
   }

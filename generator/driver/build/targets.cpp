@@ -65,7 +65,7 @@ void check_serial_port(Run& run, const Target& target) {
   if (target.baud) {
     problem.help = fmt::format("write `telemetry: {{baud: {}, …}}`", *target.baud);
   } else {
-    problem.notes.push_back({"its manifest says no `baud`", target.id.span, ""});
+    problem.notes.push_back({"its manifest has no `baud`", target.id.span, ""});
     problem.help =
         "write `baud:` into the manifest and uart_offer() next to uart_write(), as "
         "targets/README.md says under \"Add a board\"";

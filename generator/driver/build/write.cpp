@@ -295,7 +295,7 @@ bool write_file(const std::string& path, const std::string& text, Diagnostics& d
     diagnostics.io_error("E0901", {}, fmt::format("cannot write `{}`: {}", path, why));
     return false;
   };
-  if (!is_below(fs::path(path).filename().string())) return fail("it is no name of a file");
+  if (!is_below(fs::path(path).filename().string())) return fail("it is not a name of a file");
   if (error) return fail(error.message());
   if (has_text(path, text)) {
     host::remove_left_drafts(path);

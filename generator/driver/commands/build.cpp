@@ -146,7 +146,7 @@ bool check_start(Run& run, const BuiltProgram& program) {
   if (!command_to_start(run, program).empty()) return true;
   const std::string& target = program.target->id.value;
   run.diagnostics.error("E0515", {}, fmt::format("nothing here can run a program for `{}`", target))
-      .help = program.target->toolchain.empty() ? "it is no program: `eagerx-gen build` makes it"
+      .help = program.target->toolchain.empty() ? "it is not a program: `eagerx-gen build` makes it"
                                                 : "`eagerx-gen build` makes the image, which you "
                                                   "bring to the board yourself; for an emulator, "
                                                   "add `run:` to the target's manifest";

@@ -224,7 +224,7 @@ Argument tolerance(PolicyCompareOptions& options) {
          options.tolerance = parsed(values.front());
        }},
       [parsed](const std::string& text) { return parsed(text).has_value(); },
-      "is no number from 0 on");
+      "is not a number from 0 on");
 }
 
 Command table(PolicyCompareOptions& options) {

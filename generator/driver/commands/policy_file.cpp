@@ -44,7 +44,7 @@ std::optional<Network> read_policy_file(const PolicyFile& file, Diagnostics& dia
     const char* end = size.data() + size.size();
     const auto result = std::from_chars(size.data(), end, value);
     if (result.ec != std::errc{} || result.ptr != end || value < 1 || value > kMaxValues) {
-      diagnostics.error("E0303", {}, fmt::format("`{}` is no size of an input", size));
+      diagnostics.error("E0303", {}, fmt::format("`{}` is not a size of an input", size));
       return std::nullopt;
     }
     request.context.input_sizes.push_back(value);

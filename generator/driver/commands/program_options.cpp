@@ -169,7 +169,7 @@ class Checker {
     }
     auto& problem = error(
         value.empty() ? fmt::format("`{}` needs a value", option.key)
-                      : fmt::format("`{}` is no value of `{}`", shortened(value), option.key));
+                      : fmt::format("`{}` is not a value of `{}`", shortened(value), option.key));
     const YamlValue* from = option.value.find("from");
     const YamlValue* to = option.value.find("to");
     problem.help = fmt::format("write `{}`", usage_of(option));

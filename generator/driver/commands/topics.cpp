@@ -62,7 +62,7 @@ constexpr const char* kLibrary =
     "3. models and targets of eagerx-gen itself, or of the folder that the environment\n"
     "   variable EAGERX_HOME names\n\n"
     "`eagerx-gen info` lists what was found. An id must not be defined twice. Copies of\n"
-    "them in an output folder are not looked at.\n";
+    "them in an output folder are ignored.\n";
 
 constexpr const char* kExitCodes =
     "0  done\n"

@@ -162,7 +162,7 @@ class Ranges {
   }
 
   bool report_no_array(const PortPattern& pattern, const std::string& name) {
-    diagnostics_.error("E0392", pattern.span, fmt::format("`{}` is no array", name)).help =
+    diagnostics_.error("E0392", pattern.span, fmt::format("`{}` is not an array", name)).help =
         "an array is an object or node with a `count:`; an element of a message is written behind "
         "the port: `robot.torque[0]`";
     return false;

@@ -49,8 +49,9 @@ void take_states(const YamlValue& settings, Scope& scope, Diagnostics& diagnosti
   for (const auto& entry : states->entries) {
     const std::size_t dot = entry.key.find('.');
     if (dot == std::string::npos) {
-      auto& problem = diagnostics.error(
-          "E0390", entry.key_span, fmt::format("`{}` is no state of an entity inside", entry.key));
+      auto& problem =
+          diagnostics.error("E0390", entry.key_span,
+                            fmt::format("`{}` is not a state of an entity inside", entry.key));
       std::string dotted = entry.key;
       if (const std::size_t slash = dotted.rfind('/'); slash != std::string::npos) {
         dotted[slash] = '.';
@@ -110,7 +111,7 @@ void report_unknown_inner(const Scope& scope, const YamlValue& graph, Diagnostic
     const std::string spelled = spelled_inside(name + "." + states.front().key, known);
     const std::string near = nearest(name, known);
     problem.help = !spelled.empty() ? write_instead(spelled)
-                   : near.empty()   ? fmt::format("there is {}", join(known, ", "))
+                   : near.empty()   ? fmt::format("available: {}", join(known, ", "))
                                     : meaning(fmt::format("{}.{}", near, states.front().key));
   }
 }

@@ -49,7 +49,7 @@ void take(YamlValue& nodes, const YamlValue& item, const Library& library,
            inside != nodes.entries.end()
                ? fmt::format("of a composite, name the parameter of a node inside: `{}.…`",
                              inside->key)
-           : near.empty() ? "tunable are parameters of nodes: `controller.kp`"
+           : near.empty() ? "only parameters of nodes are tunable: `controller.kp`"
                           : meaning(fmt::format("{}.{}", near, parameter)),
            diagnostics);
     return;
@@ -60,10 +60,11 @@ void take(YamlValue& nodes, const YamlValue& item, const Library& library,
   const std::vector<std::string> known = tunable_parameters(*entity);
   if (!contains(known, parameter)) {
     const std::string near = nearest(parameter, known);
-    report(item, fmt::format("`{}` is no tunable parameter of `{}`", parameter, entity->id.value),
+    report(item,
+           fmt::format("`{}` is not a tunable parameter of `{}`", parameter, entity->id.value),
            !near.empty()   ? meaning(fmt::format("{}.{}", name, near))
            : known.empty() ? "its class takes none of its parameters at a reset"
-                           : fmt::format("tunable are {}", join(known, ", ")),
+                           : fmt::format("tunable: {}", join(known, ", ")),
            diagnostics);
     return;
   }

@@ -35,8 +35,8 @@ bool has_all(const Translation& t, const SavedEntity& object, const ObjectEngine
 /// the order of the first object's manifest, which begins with the one it was made for.
 std::vector<std::string> common_engines(const Translation& t) {
   std::vector<std::string> result;
-  if (t.result.spec.objects.empty()) return t.counterparts.library().ids(EntityKind::engine);
-  const Entity* first = t.counterparts.library().find(t.result.spec.objects.front().type.value);
+  if (t.result.spec.objects.empty()) return t.mapping.library().ids(EntityKind::engine);
+  const Entity* first = t.mapping.library().find(t.result.spec.objects.front().type.value);
   for (const auto& implementation : first->object_engines)
     result.push_back(implementation.engine.value);
   for (const auto& object : t.saved.entities) {
@@ -59,7 +59,7 @@ void choose_type(Translation& t) {
   if (t.saved.engine_id) {
     YamlValue none;
     none.kind = YamlKind::map;
-    const Entity* entity = t.counterparts.find(*t.saved.engine_id, none, Use::engine, "the engine");
+    const Entity* entity = t.mapping.find(*t.saved.engine_id, none, Use::engine, "the engine");
     if (entity != nullptr) engine.type = {entity->id.value, t.saved.engine_id->span};
     return;
   }
@@ -71,15 +71,15 @@ void choose_type(Translation& t) {
     auto& note = t.diagnostics.note(whole, fmt::format("the file has no engine: `{}` is taken, {}",
                                                        known.front(), t.result.remarks["engine"]));
     if (known.size() > 1) {
-      note.help = fmt::format("another one is given with `--engine`: {}",
-                              join(std::span(known).subspan(1), ", "));
+      note.help =
+          fmt::format("to choose another: `--engine`: {}", join(std::span(known).subspan(1), ", "));
     }
     return;
   }
   auto& problem = t.diagnostics.error(
       "E0804", whole, "the file has no engine, and no engine has all of its objects");
   for (const auto& object : spec.objects) {
-    const Entity* entity = t.counterparts.library().find(object.type.value);
+    const Entity* entity = t.mapping.library().find(object.type.value);
     std::vector<std::string> engines;
     for (const auto& implementation : entity->object_engines)
       engines.push_back(implementation.engine.value);
@@ -94,7 +94,7 @@ void choose_type(Translation& t) {
 /// `--engine`: another engine has other parameters and states, so it takes its defaults.
 void take_option(Translation& t) {
   EntitySpec& engine = t.result.spec.engine;
-  const std::vector<std::string> known = t.counterparts.library().ids(EntityKind::engine);
+  const std::vector<std::string> known = t.mapping.library().ids(EntityKind::engine);
   if (!contains(known, t.options.engine)) {
     t.diagnostics.error("E0303", {}, fmt::format("unknown engine `{}`", t.options.engine)).help =
         suggestion(t.options.engine, known);
@@ -154,7 +154,7 @@ void choose_engine_rate(Translation& t) {
   t.diagnostics
       .note(whole, fmt::format("the file has no rate for the engine: {} Hz is taken, {}",
                                fastest->to_string(), t.result.remarks["engine.rate"]))
-      .help = "another one is given with `--engine-rate`";
+      .help = "choose another with `--engine-rate`";
 }
 
 /// The rate at which an end of a connection sends or takes.
@@ -210,11 +210,11 @@ void choose_rate(Translation& t) {
   }
   rate = {*fastest, whole};
   t.result.remarks["rate"] = reason;
-  if (t.diagnostics.has_errors() || t.counterparts.any_missing()) return;
+  if (t.diagnostics.has_errors() || t.mapping.any_missing()) return;
   t.diagnostics
       .note(whole, fmt::format("the file has no rate for the environment: {} Hz is taken, {}",
                                fastest->to_string(), t.result.remarks["rate"]))
-      .help = "another one is given with `--rate`";
+      .help = "choose another with `--rate`";
 }
 
 }  // namespace eagerx::gen

@@ -110,7 +110,7 @@ class ConnectionTranslator {
   ConnectionSettings settings_of_input(const ObjectEngine& implementation, const std::string& to) {
     const PortName port = parse_port(to);
     for (const auto& node : implementation.nodes) {
-      const Entity* type = t_.counterparts.library().find(node.type.value);
+      const Entity* type = t_.mapping.library().find(node.type.value);
       if (node.name.value != port.owner || type == nullptr) continue;
       if (const PortManifest* input = type->input(port.name)) return input->settings;
     }
@@ -123,8 +123,7 @@ class ConnectionTranslator {
     const SavedEntity& entity = *t_.saved.find(end.entity);
     const SavedPort* port = entity.port(end.section, end.port);
     if (port == nullptr) return;
-    settings.processor =
-        t_.counterparts.processor(*port, fmt::format("`{}.{}`", end.entity, end.port));
+    settings.processor = t_.mapping.processor(*port, fmt::format("`{}.{}`", end.entity, end.port));
     if (settings.processor) warn_of_lost_processor(link, *port);
     take_processor_of_action(link.from, settings);
     if (end.section == "targets") return;
@@ -165,7 +164,7 @@ class ConnectionTranslator {
     const SavedPort* action = t_.saved.find(from.entity)->port(from.section, from.port);
     const YamlValue* saved = action != nullptr ? action->find("processor") : nullptr;
     if (saved == nullptr) return;
-    auto first = t_.counterparts.processor(*action, fmt::format("the action `{}`", from.port));
+    auto first = t_.mapping.processor(*action, fmt::format("the action `{}`", from.port));
     if (!first) return;
     if (settings.processor) {
       settings.processor->before.insert(settings.processor->before.begin(), std::move(*first));

@@ -79,14 +79,14 @@ class EntityTranslator {
 
   void add(const SavedEntity& saved, Use use, const char* what) {
     const std::string user = fmt::format("the {} `{}`", what, saved.name.value);
-    const Entity* entity = t_.counterparts.find(saved.id, saved.config, use, user);
-    if (entity != nullptr && !t_.counterparts.may_stand_in(*entity, saved, user)) entity = nullptr;
+    const Entity* entity = t_.mapping.find(saved.id, saved.config, use, user);
+    if (entity != nullptr && !t_.mapping.may_stand_in(*entity, saved, user)) entity = nullptr;
     t_.entities[saved.name.value] = entity;
     if (entity == nullptr) return;
     EntitySpec made;
     made.name = {t_.names.at(saved.name.value), saved.name.span};
     made.type = {entity->id.value, saved.id.span};
-    made.config = t_.counterparts.settings(*entity, saved.config, user);
+    made.config = t_.mapping.settings(*entity, saved.config, user);
     add_states(saved, made);
     if (use == Use::object) {
       made.sensors = rated_ports(saved, *entity, made, "sensors");
@@ -106,13 +106,13 @@ class EntityTranslator {
   }
 
   void add_engine(const SavedEntity& saved) {
-    const Entity* entity = t_.counterparts.find(saved.id, saved.config, Use::engine, "the engine");
+    const Entity* entity = t_.mapping.find(saved.id, saved.config, Use::engine, "the engine");
     t_.entities[saved.name.value] = entity;
     if (entity == nullptr) return;
     EntitySpec& engine = spec().engine;
     engine.name = {"engine", saved.name.span};
     engine.type = {entity->id.value, saved.id.span};
-    engine.config = t_.counterparts.settings(*entity, saved.config, "the engine");
+    engine.config = t_.mapping.settings(*entity, saved.config, "the engine");
     add_states(saved, engine);
     const YamlValue* rate = saved.parameter("rate");
     if (rate == nullptr && !t_.options.engine_rate_hz) {
@@ -144,7 +144,7 @@ class EntityTranslator {
       StateSpec state;
       state.name = name;
       if (const SavedPort* port = saved.port("states", name.value))
-        state.processor = t_.counterparts.processor(*port, written(saved, name.value));
+        state.processor = t_.mapping.processor(*port, written(saved, name.value));
       made.states.push_back(std::move(state));
     }
   }
@@ -179,8 +179,7 @@ class EntityTranslator {
       if (!linked && !selected && !borrowed) continue;
       component.rate = rate;
       if (std::string_view(section) == "sensors")
-        component.settings.processor =
-            t_.counterparts.processor(port, written(saved, port.name.value));
+        component.settings.processor = t_.mapping.processor(port, written(saved, port.name.value));
       if (const auto space = saved_space(port))
         component.space = missing_of(*space, manifest->space);
       if (component.space) check_space(*component.space, t_.diagnostics);
@@ -281,8 +280,7 @@ class EntityTranslator {
       const PortManifest* manifest = manifest_port(entity, section, name.value);
       if (port != nullptr && manifest != nullptr) {
         if (std::string_view(section) == "outputs") {
-          component.settings.processor =
-              t_.counterparts.processor(*port, written(saved, name.value));
+          component.settings.processor = t_.mapping.processor(*port, written(saved, name.value));
           const auto space = saved_space(*port);
           if (space) component.space = own_space(saved, *space, manifest->space);
           if (component.space) check_space(*component.space, t_.diagnostics);
@@ -304,7 +302,7 @@ class EntityTranslator {
 }  // namespace
 
 const ObjectEngine* Translation::implementation(const Entity& object) const {
-  const Entity* engine = counterparts.library().find(result.spec.engine.type.value);
+  const Entity* engine = mapping.library().find(result.spec.engine.type.value);
   return engine == nullptr ? nullptr : object.implementation(*engine);
 }
 

@@ -74,7 +74,7 @@ class EntityMapping {
 };
 
 /// Every entity that the file needs, those inside objects that are not known too.
-void require_all(const SavedGraph& saved, EntityMapping& counterparts);
+void require_all(const SavedGraph& saved, EntityMapping& mapping);
 
 const char* to_string(Use use);
 

@@ -18,9 +18,9 @@ namespace {
 
 class ImplementationWriter {
  public:
-  ImplementationWriter(const SavedGraph& saved, const SavedEntity& object,
-                       EntityMapping& counterparts, const MadeTypes& types)
-      : saved_(saved), backup_(object), counterparts_(counterparts), types_(types) {}
+  ImplementationWriter(const SavedGraph& saved, const SavedEntity& object, EntityMapping& mapping,
+                       const MadeTypes& types)
+      : saved_(saved), backup_(object), mapping_(mapping), types_(types) {}
 
   SavedImplementation write() {
     for (const auto& object : saved_.objects) {
@@ -81,7 +81,7 @@ class ImplementationWriter {
     std::vector<std::string> items = {"type: " + yaml_scalar(type),
                                       "rate: " + rate(name, node, match)};
     if (!config.empty()) items.push_back("config: " + config_text(config));
-    const Entity* known = counterparts_.look_up(node.id.value, node.config, Use::engine_node);
+    const Entity* known = mapping_.look_up(node.id.value, node.config, Use::engine_node);
     if (known == nullptr) add_spaces(name, node, match, items);
     if (known != nullptr) note_required(*known, config);
     nodes_.push_back(fmt::format("{}: {}", yaml_text(name), in_braces(items)));
@@ -96,12 +96,12 @@ class ImplementationWriter {
   /// A manifest leaves open what its users do not share.
   void add_spaces(const std::string& local, const SavedEntity& node, const PortMatch& match,
                   std::vector<std::string>& items) const {
-    const auto missing = counterparts_.missing().find(node.id.value);
+    const auto missing = mapping_.missing().find(node.id.value);
     std::vector<std::string> outputs;
     bool open = false;
     for (const auto& name : node.selected.at("outputs")) {
       const SavedPort* port = node.port("outputs", name.value);
-      const SavedPort* shared = missing != counterparts_.missing().end()
+      const SavedPort* shared = missing != mapping_.missing().end()
                                     ? missing->second.saved.port("outputs", name.value)
                                     : nullptr;
       const auto space = space_of({local, name.value}, port, match);
@@ -129,7 +129,7 @@ class ImplementationWriter {
 
   /// Parameters that say how long an output is: EAGERx has that from what the node sends.
   void add_sizes(const SavedEntity& node, std::vector<Setting>& config) {
-    const Entity* known = counterparts_.look_up(node.id.value, node.config, Use::engine_node);
+    const Entity* known = mapping_.look_up(node.id.value, node.config, Use::engine_node);
     if (known == nullptr) return;
     for (const auto& output : known->outputs) {
       const auto& shape = output.space.shape;
@@ -191,8 +191,8 @@ class ImplementationWriter {
   std::pair<std::string, std::vector<Setting>> typed(const Spanned<std::string>& id,
                                                      const YamlValue& config, Use use,
                                                      const std::string& user) {
-    if (const Entity* known = counterparts_.look_up(id.value, config, use))
-      return {known->id.value, counterparts_.settings(*known, config, fmt::format("`{}`", user))};
+    if (const Entity* known = mapping_.look_up(id.value, config, use))
+      return {known->id.value, mapping_.settings(*known, config, fmt::format("`{}`", user))};
     std::vector<Setting> settings;
     for (const auto& entry : config.entries) {
       if (is_parameter_of_manifest(entry))
@@ -268,7 +268,7 @@ class ImplementationWriter {
 
   const SavedGraph& saved_;
   const SavedEntity& backup_;
-  EntityMapping& counterparts_;
+  EntityMapping& mapping_;
   const MadeTypes& types_;
   SavedImplementation result_;
   std::vector<std::string> nodes_, connections_, states_;
@@ -278,8 +278,8 @@ class ImplementationWriter {
 }  // namespace
 
 SavedImplementation saved_implementation(const SavedGraph& saved, const SavedEntity& object,
-                                         EntityMapping& counterparts, const MadeTypes& types) {
-  return ImplementationWriter(saved, object, counterparts, types).write();
+                                         EntityMapping& mapping, const MadeTypes& types) {
+  return ImplementationWriter(saved, object, mapping, types).write();
 }
 
 }  // namespace eagerx::gen

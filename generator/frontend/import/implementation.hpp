@@ -33,6 +33,6 @@ bool is_parameter_of_manifest(const YamlValue::Entry& entry);
 
 /// Empty: the file does not say it (Graph.save).
 SavedImplementation saved_implementation(const SavedGraph& saved, const SavedEntity& object,
-                                         EntityMapping& counterparts, const MadeTypes& types);
+                                         EntityMapping& mapping, const MadeTypes& types);
 
 }  // namespace eagerx::gen

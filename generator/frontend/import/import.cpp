@@ -41,19 +41,19 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   const auto failed = [&] { return diagnostics.error_count() != errors_before; };
   auto saved = read_saved_graph(root, diagnostics);
   if (!saved) return std::nullopt;
-  EntityMapping counterparts(library, diagnostics);
-  const Pictures pictures = remove_pictures(*saved, counterparts);
+  EntityMapping mapping(library, diagnostics);
+  const Pictures pictures = remove_pictures(*saved, mapping);
   const Processes processes = find_processes(*saved, diagnostics);
-  rename_ports(*saved, counterparts);
-  require_all(*saved, counterparts);
-  const bool whole = !saved->flattened() || rebuild_objects(*saved, counterparts, diagnostics);
-  Translation t{*saved, counterparts, options, diagnostics, {}, {}, {}, {}, {}};
+  rename_ports(*saved, mapping);
+  require_all(*saved, mapping);
+  const bool whole = !saved->flattened() || rebuild_objects(*saved, mapping, diagnostics);
+  Translation t{*saved, mapping, options, diagnostics, {}, {}, {}, {}, {}};
   t.result.spec.file = root.span.file;
   t.result.spec.path = path;
   translate_names(t);
   translate_entities(t);
   // If something is missing, the rest is still translated, to find its problems.
-  if (whole && !counterparts.any_missing()) {
+  if (whole && !mapping.any_missing()) {
     choose_engine(t);
     if (!saved->flattened()) add_states_of_engine_nodes(t);
   }
@@ -65,7 +65,7 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   translate_pictures(t, pictures);
   translate_processes(t, processes);
   check_names(t.result.spec, diagnostics);
-  counterparts.report_missing();  // all of them at once
+  mapping.report_missing();  // all of them at once
   if (failed()) return std::nullopt;
   return std::move(t.result);
 }

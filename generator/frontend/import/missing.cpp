@@ -245,24 +245,23 @@ std::optional<std::vector<MissingEntity>> missing_entities(const YamlValue& root
                                                            Diagnostics& diagnostics) {
   auto saved = read_saved_graph(root, diagnostics);
   if (!saved) return std::nullopt;
-  EntityMapping counterparts(library, diagnostics);
-  remove_pictures(*saved, counterparts);
-  rename_ports(*saved, counterparts);
-  require_all(*saved, counterparts);
+  EntityMapping mapping(library, diagnostics);
+  remove_pictures(*saved, mapping);
+  rename_ports(*saved, mapping);
+  require_all(*saved, mapping);
   std::set<std::string> taken;
   std::map<std::string, std::string> types;
-  for (const auto& [id, missing] : counterparts.missing())
-    types[id] = free_type(id, library, taken);
+  for (const auto& [id, missing] : mapping.missing()) types[id] = free_type(id, library, taken);
   std::string engine = options.engine;
   if (const SavedEntity* own = saved->find("engine"); own != nullptr && engine.empty()) {
-    const Entity* known = counterparts.look_up(own->id.value, own->config, Use::engine);
+    const Entity* known = mapping.look_up(own->id.value, own->config, Use::engine);
     engine = known != nullptr ? known->id.value : types[own->id.value];
   }
   std::vector<MissingEntity> result;
-  for (const auto& [id, missing] : counterparts.missing()) {
+  for (const auto& [id, missing] : mapping.missing()) {
     SavedImplementation inside;
     if (missing.use == Use::object)
-      inside = saved_implementation(*saved, missing.saved, counterparts, types);
+      inside = saved_implementation(*saved, missing.saved, mapping, types);
     result.push_back(ManifestWriter(id, missing, engine, std::move(inside)).write(types.at(id)));
   }
   return result;

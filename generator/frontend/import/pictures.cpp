@@ -25,8 +25,8 @@ bool is_picture(const SavedPort& port) {
 
 class PictureRemover {
  public:
-  PictureRemover(SavedGraph& saved, const EntityMapping& counterparts)
-      : saved_(saved), counterparts_(counterparts) {}
+  PictureRemover(SavedGraph& saved, const EntityMapping& mapping)
+      : saved_(saved), mapping_(mapping) {}
 
   Pictures run() {
     for (const SavedEntity& entity : saved_.entities) {
@@ -35,7 +35,7 @@ class PictureRemover {
     // Nodes that draw into pictures of other nodes, unless there is a counterpart.
     for (const SavedEntity& entity : saved_.entities) {
       if (entity.kind == SavedEntity::Kind::node && gives_pictures(entity) &&
-          !counterparts_.knows(entity.id.value))
+          !mapping_.knows(entity.id.value))
         drawing_.insert(entity.name.value);
     }
     if (drawing_.empty()) return {};
@@ -107,7 +107,7 @@ class PictureRemover {
   }
 
   SavedGraph& saved_;
-  const EntityMapping& counterparts_;
+  const EntityMapping& mapping_;
   std::set<std::string> drawing_, unused_, seen_;
   Pictures result_;
 };
@@ -170,8 +170,8 @@ void add_render(Translation& t, const Pictures& pictures, const std::string& sou
 
 }  // namespace
 
-Pictures remove_pictures(SavedGraph& saved, const EntityMapping& counterparts) {
-  return PictureRemover(saved, counterparts).run();
+Pictures remove_pictures(SavedGraph& saved, const EntityMapping& mapping) {
+  return PictureRemover(saved, mapping).run();
 }
 
 void translate_pictures(Translation& t, const Pictures& pictures) {

@@ -46,11 +46,10 @@ void rename_all(SavedGraph& saved, SavedEntity& entity, const Entity& ours) {
 
 }  // namespace
 
-void rename_ports(SavedGraph& saved, const EntityMapping& counterparts) {
+void rename_ports(SavedGraph& saved, const EntityMapping& mapping) {
   for (auto* entities : {&saved.entities, &saved.backup}) {
     for (auto& entity : *entities) {
-      const Entity* ours =
-          counterparts.look_up(entity.id.value, entity.config, use_of(saved, entity));
+      const Entity* ours = mapping.look_up(entity.id.value, entity.config, use_of(saved, entity));
       if (ours != nullptr) rename_all(saved, entity, *ours);
     }
   }

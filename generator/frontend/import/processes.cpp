@@ -71,7 +71,7 @@ void join_processes(Translation& t, const Processes& processes) {
   t.diagnostics
       .note(processes.place,
             fmt::format("one program runs {}, which EAGERx runs in {}", joined(names),
-                        names.size() == 1 ? "a process of its own" : "processes of their own"))
+                        names.size() == 1 ? "its own process" : "their own processes"))
       .help =
       "the messages are the same: `eagerx-gen import --keep-processes` makes parts (`placement:`)";
 }
@@ -103,9 +103,10 @@ void translate_processes(Translation& t, const Processes& found) {
     kept.push_back(name == "engine" ? "the engine" : "`" + name + "`");
   if (alone.empty() && elsewhere.empty()) {
     if (kept.empty()) return;
-    t.diagnostics.note(processes.place, fmt::format("in the main program here, but in EAGERx in a "
-                                                    "process of its own: {}",
-                                                    joined(kept)));
+    t.diagnostics.note(processes.place,
+                       fmt::format("in the main program here, but in EAGERx in its "
+                                   "own process: {}",
+                                   joined(kept)));
     return;
   }
   std::vector<std::string> texts;
@@ -113,8 +114,8 @@ void translate_processes(Translation& t, const Processes& found) {
   if (!elsewhere.empty()) texts.push_back(joined(elsewhere) + " on a machine for you to name");
   if (!kept.empty()) texts.push_back(joined(kept) + " in the main program, with all of the engine");
   t.diagnostics
-      .note(processes.place, fmt::format("what had a process of its own in EAGERx is a program of "
-                                         "its own (`placement:`): {}",
+      .note(processes.place, fmt::format("what had its own process in EAGERx is a separate "
+                                         "program (`placement:`): {}",
                                          join(texts, "; ")))
       .help =
       "one program has the same messages and is faster: leave out of `placement:` what need not "

@@ -25,12 +25,12 @@ void set_entry(YamlValue& map, const char* key, const YamlValue& value) {
 
 class Rebuilder {
  public:
-  Rebuilder(SavedGraph& saved, EntityMapping& counterparts, Diagnostics& diagnostics)
-      : saved_(saved), counterparts_(counterparts), diagnostics_(diagnostics) {}
+  Rebuilder(SavedGraph& saved, EntityMapping& mapping, Diagnostics& diagnostics)
+      : saved_(saved), mapping_(mapping), diagnostics_(diagnostics) {}
 
   bool run() {
     const SavedEntity& engine = *saved_.find("engine");
-    engine_ = counterparts_.find(engine.id, engine.config, Use::engine, "the engine");
+    engine_ = mapping_.find(engine.id, engine.config, Use::engine, "the engine");
     add_links_of_addresses();
     for (const auto& object : saved_.objects) rebuild(object);
     if (!failed_) rewrite_links();
@@ -97,8 +97,8 @@ class Rebuilder {
       if (backup->config.find(entry.key) != nullptr)
         set_entry(rebuilt.object.config, entry.key.c_str(), entry.value);
     }
-    rebuilt.entity = counterparts_.find(backup->id, rebuilt.object.config, Use::object,
-                                        fmt::format("the object `{}`", name));
+    rebuilt.entity = mapping_.find(backup->id, rebuilt.object.config, Use::object,
+                                   fmt::format("the object `{}`", name));
     if (rebuilt.entity == nullptr || engine_ == nullptr) {
       failed_ = true;
       return;
@@ -165,7 +165,7 @@ class Rebuilder {
   void match_by_type(const SavedEntity& entity, Rebuilt& rebuilt, std::set<std::string>& taken) {
     const EntitySpec* only = nullptr;
     for (const auto& node : rebuilt.implementation->nodes) {
-      const Entity* type = counterparts_.library().find(node.type.value);
+      const Entity* type = mapping_.library().find(node.type.value);
       if (type == nullptr || taken.contains(node.name.value) ||
           !EntityMapping::stands_for(*type, entity.id.value))
         continue;
@@ -178,7 +178,7 @@ class Rebuilder {
   }
 
   void check_type(const SavedEntity& entity, const EntitySpec& ours) {
-    const Entity* type = counterparts_.library().find(ours.type.value);
+    const Entity* type = mapping_.library().find(ours.type.value);
     if (type == nullptr || type->eagerx_ids.empty() ||
         EntityMapping::stands_for(*type, entity.id.value))
       return;
@@ -300,7 +300,7 @@ class Rebuilder {
                         const std::string& node) {
     const SavedPort* port = saved_.find(link.to.entity)->port("inputs", link.to.port);
     const EntitySpec* spec = find_named(object.implementation->nodes, node);
-    const Entity* type = counterparts_.library().find(spec->type.value);
+    const Entity* type = mapping_.library().find(spec->type.value);
     const PortManifest* manifest = type != nullptr ? type->input(link.to.port) : nullptr;
     if (port == nullptr || manifest == nullptr) return;
     const ConnectionSettings ours = overlay(manifest->settings, inside.settings);
@@ -325,7 +325,7 @@ class Rebuilder {
 
   void cannot_place(const SavedEnd& end, const Rebuilt& object, const char* what) {
     fail(end.span,
-         fmt::format("`{}.{}` is no {} of `{}` on `{}`", end.entity, end.port, what,
+         fmt::format("`{}.{}` is not a {} of `{}` on `{}`", end.entity, end.port, what,
                      object.entity->id.value, engine_->id.value),
          fmt::format("add it to the manifest of `{}`, or leave it out in EAGERx",
                      object.entity->id.value));
@@ -402,7 +402,7 @@ class Rebuilder {
   }
 
   SavedGraph& saved_;
-  EntityMapping& counterparts_;
+  EntityMapping& mapping_;
   Diagnostics& diagnostics_;
   const Entity* engine_ = nullptr;
   std::vector<Rebuilt> rebuilt_;
@@ -413,8 +413,8 @@ class Rebuilder {
 
 }  // namespace
 
-bool rebuild_objects(SavedGraph& saved, EntityMapping& counterparts, Diagnostics& diagnostics) {
-  return Rebuilder(saved, counterparts, diagnostics).run();
+bool rebuild_objects(SavedGraph& saved, EntityMapping& mapping, Diagnostics& diagnostics) {
+  return Rebuilder(saved, mapping, diagnostics).run();
 }
 
 }  // namespace eagerx::gen

@@ -10,8 +10,8 @@ namespace {
 
 class Requirements {
  public:
-  Requirements(const SavedGraph& saved, EntityMapping& counterparts)
-      : saved_(saved), counterparts_(counterparts) {}
+  Requirements(const SavedGraph& saved, EntityMapping& mapping)
+      : saved_(saved), mapping_(mapping) {}
 
   void run() {
     for (const auto& object : saved_.objects) {
@@ -26,13 +26,13 @@ class Requirements {
     if (saved_.owner_of(name) != nullptr) return;
     switch (entity.kind) {
       case SavedEntity::Kind::engine:
-        counterparts_.require(entity, Use::engine, "the engine");
+        mapping_.require(entity, Use::engine, "the engine");
         return;
       case SavedEntity::Kind::object:
-        counterparts_.require(entity, Use::object, fmt::format("the object `{}`", name));
+        mapping_.require(entity, Use::object, fmt::format("the object `{}`", name));
         break;
       case SavedEntity::Kind::node:
-        counterparts_.require(entity, Use::node, fmt::format("the node `{}`", name));
+        mapping_.require(entity, Use::node, fmt::format("the node `{}`", name));
         break;
       case SavedEntity::Kind::environment:
         break;
@@ -44,19 +44,19 @@ class Requirements {
   bool is_whole(const SavedObject& object) {
     const SavedEntity* backup = find_named(saved_.backup, object.name.value);
     if (backup == nullptr) return true;  // another problem
-    const Entity* entity = counterparts_.require(*backup, Use::object,
-                                                 fmt::format("the object `{}`", object.name.value));
+    const Entity* entity =
+        mapping_.require(*backup, Use::object, fmt::format("the object `{}`", object.name.value));
     const SavedEntity& saved_engine = *saved_.find("engine");
     const Entity* engine =
-        counterparts_.look_up(saved_engine.id.value, saved_engine.config, Use::engine);
+        mapping_.look_up(saved_engine.id.value, saved_engine.config, Use::engine);
     return entity != nullptr && engine != nullptr && entity->implementation(*engine) != nullptr;
   }
 
   void inside(const SavedObject& object) {
     for (const auto& entity : saved_.entities) {
       if (saved_.owner_of(entity.name.value) != &object) continue;
-      counterparts_.require(entity, Use::engine_node,
-                            fmt::format("the engine node `{}`", entity.name.value));
+      mapping_.require(entity, Use::engine_node,
+                       fmt::format("the engine node `{}`", entity.name.value));
       processors(entity);
     }
     for (const auto& state : object.engine_states) {
@@ -65,8 +65,8 @@ class Requirements {
       if (type == nullptr || !type->is_scalar()) continue;
       SavedEntity entity = bare({type->text, type->span}, *made);
       entity.ports["states"].push_back(state);
-      counterparts_.require(entity, Use::engine_state,
-                            fmt::format("the state `{}.{}`", object.name.value, state.name.value));
+      mapping_.require(entity, Use::engine_state,
+                       fmt::format("the state `{}.{}`", object.name.value, state.name.value));
     }
   }
 
@@ -81,8 +81,8 @@ class Requirements {
         SavedEntity processor = bare({type->text, type->span},
                                      config != nullptr && config->is_map() ? *config : *saved);
         processor.ports["inputs"].push_back(port);
-        counterparts_.require(processor, Use::processor,
-                              "the processor of " + written(entity, section, port));
+        mapping_.require(processor, Use::processor,
+                         "the processor of " + written(entity, section, port));
       }
     }
   }
@@ -102,13 +102,13 @@ class Requirements {
   }
 
   const SavedGraph& saved_;
-  EntityMapping& counterparts_;
+  EntityMapping& mapping_;
 };
 
 }  // namespace
 
-void require_all(const SavedGraph& saved, EntityMapping& counterparts) {
-  Requirements(saved, counterparts).run();
+void require_all(const SavedGraph& saved, EntityMapping& mapping) {
+  Requirements(saved, mapping).run();
 }
 
 }  // namespace eagerx::gen

@@ -93,6 +93,6 @@ std::optional<Rational> meant_number(const YamlValue& yaml);
 /// Our object instead of the engine nodes of each object, as Graph.save would have written it.
 /// False: it could not be done (E0801, E0805); the engine nodes are gone all the same.
 class EntityMapping;
-bool rebuild_objects(SavedGraph& saved, EntityMapping& counterparts, Diagnostics& diagnostics);
+bool rebuild_objects(SavedGraph& saved, EntityMapping& mapping, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -11,7 +11,7 @@ namespace eagerx::gen {
 /// The context of a translation.
 struct Translation {
   const SavedGraph& saved;
-  EntityMapping& counterparts;
+  EntityMapping& mapping;
   const ImportOptions& options;
   Diagnostics& diagnostics;
   ImportedGraph result;
@@ -49,12 +49,12 @@ Processes find_processes(const SavedGraph& saved, Diagnostics& diagnostics);
 void translate_processes(Translation& t, const Processes& processes);
 
 /// Takes nodes that only show or draw pictures out of the graph, with their connections.
-Pictures remove_pictures(SavedGraph& saved, const EntityMapping& counterparts);
+Pictures remove_pictures(SavedGraph& saved, const EntityMapping& mapping);
 /// `render:` where our object draws, and one note about everything else.
 void translate_pictures(Translation& t, const Pictures& pictures);
 
 /// Ports of entities that are known, by the names that our manifests give them.
-void rename_ports(SavedGraph& saved, const EntityMapping& counterparts);
+void rename_ports(SavedGraph& saved, const EntityMapping& mapping);
 
 /// Whether nothing is set of these sensors or actuators: such a list leaves all others out.
 bool has_only_names(const std::vector<ComponentSpec>& components);

@@ -268,7 +268,7 @@ class ConditionMaker : public Maker {
     const std::string& written = call.operands[0].text;
     const std::string port = find_port(written, port_begin);
     if (function == "window" && !port.starts_with("inputs."))
-      text_.fail(port_begin, fmt::format("`{}` is no input", written));
+      text_.fail(port_begin, fmt::format("`{}` is not an input", written));
     Type type = result({Op::fact,
                         {},
                         fmt::format("{}({})", function, port),
@@ -353,7 +353,7 @@ class ExpressionMaker : public Maker {
   void report(const Expression& tree) {
     const std::string& reference = tree.text;
     if (tree.op == Tree::name)
-      return text_.fail(tree.begin, fmt::format("`{}` is no number", reference),
+      return text_.fail(tree.begin, fmt::format("`{}` is not a number", reference),
                         "references stand inside of `$(…)`");
     std::vector<std::string> known;
     for (const auto& [name, value] : references_) known.push_back(name);

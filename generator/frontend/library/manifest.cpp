@@ -109,7 +109,7 @@ void check_like(const Entity& entity, Diagnostics& diagnostics) {
     if (!like || contains(known, like->value)) continue;
     auto& problem = diagnostics.error(
         "E0309", like->span, fmt::format("`{}` has no input `{}`", entity.id.value, like->value));
-    problem.label = fmt::format("`{}` is to have its space", output.name.value);
+    problem.label = fmt::format("`{}` needs its space", output.name.value);
     problem.help =
         did_you_mean(like->value, known,
                      known.empty() ? "write `dtype` and `shape`: it has no inputs"

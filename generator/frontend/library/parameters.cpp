@@ -49,7 +49,7 @@ void refuse_bounds_without_numbers(const YamlValue::Entry& parameter, Parameter:
     if (numbers || bound == nullptr) continue;
     diagnostics
         .error("E0208", bound->span,
-               fmt::format("`{}` does nothing for `{}`, which is no number", key, parameter.key))
+               fmt::format("`{}` does nothing for `{}`, which is not a number", key, parameter.key))
         .help = "leave it out";
   }
 }

@@ -52,12 +52,11 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
   } else if (!other.empty()) {
     problem.help = other;
   } else if (!known.empty() && known.size() <= kMostListed) {
-    problem.help =
-        fmt::format("there is {}; folders of your own are given with `library:` or `--path`",
-                    join(known, ", "));
+    problem.help = fmt::format("available: {}; add your own folders with `library:` or `--path`",
+                               join(known, ", "));
   } else {
     problem.help =
-        "`eagerx-gen info` lists all entities; folders of your own are given with `library:` or "
+        "`eagerx-gen info` lists all entities; add your own folders with `library:` or "
         "`--path`";
   }
   return nullptr;

@@ -78,7 +78,7 @@ YamlValue compute(YamlValue yaml, const References& references, Diagnostics& dia
   if (!value) return yaml;
   yaml.number = finite_number(*value);
   if (!yaml.number) {
-    diagnostics.error("E0324", yaml.span, fmt::format("`{}` is no finite number", yaml.text));
+    diagnostics.error("E0324", yaml.span, fmt::format("`{}` is not a finite number", yaml.text));
     return yaml;
   }
   yaml.origin = Origin::written;

@@ -64,7 +64,8 @@ LoadedFile load_file(const std::string& path, std::size_t max_bytes) {
   // passes on as `<(…)` is meant.
   const bool passed_on =
       path.starts_with("/dev/fd/") || path.starts_with("/proc/self/fd/") || path == "/dev/stdin";
-  if (!std::filesystem::is_regular_file(status) && !passed_on) return unreadable("it is no file");
+  if (!std::filesystem::is_regular_file(status) && !passed_on)
+    return unreadable("it is not a file");
   if (!passed_on) remember_input(path);
   errno = 0;
   std::ifstream stream(path, std::ios::binary);

@@ -79,7 +79,7 @@ bool check_wide_spaces(const Locator& locator, Diagnostics& diagnostics) {
     if (is_wide_space(code) && scanner.separates()) {
       auto& problem =
           diagnostics.error("E0105", locator.span({at, at + size}),
-                            fmt::format("{} (U+{:04X}) is no separator in YAML",
+                            fmt::format("{} (U+{:04X}) is not a separator in YAML",
                                         code == 0xa0 ? "a no-break space" : "this space",
                                         static_cast<std::uint32_t>(code)));
       problem.help = "replace it with a plain space";

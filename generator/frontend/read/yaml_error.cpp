@@ -35,8 +35,8 @@ const std::array<Wording, 19> kWordings = {{
      "items of one list begin in the same column, each with `- `"},
     {Original::FLOW_END, "this bracket does not match", "", "check the brackets before it"},
     {Original::BLOCK_ENTRY, "a list item cannot begin here", "",
-     "begin the list on a line of its own, or write it as [a, b]"},
-    {Original::MAP_KEY, "a key cannot begin here", "", "begin the map on a line of its own"},
+     "begin the list on its own line, or write it as [a, b]"},
+    {Original::MAP_KEY, "a key cannot begin here", "", "begin the map on its own line"},
     {Original::CHAR_IN_TAG_HANDLE, "this character cannot be part of a tag", "",
      "put a text that begins with `!` in quotes"},
     {Original::TAG_WITH_NO_SUFFIX, "the tag has no name", "",
@@ -283,7 +283,8 @@ bool report_colon(const Failure& failure) {
   const std::string_view text = failure.locator.text();
   const std::size_t begin = failure.locator.line_begin(failure.offset);
   const std::string_view before = text.substr(begin, failure.offset - begin);
-  Diagnostic& error = failure.error({failure.offset, failure.offset + 1}, "`:` cannot stand here");
+  Diagnostic& error =
+      failure.error({failure.offset, failure.offset + 1}, "`:` is not allowed here");
   error.label = "would make a key of the text before it";
   error.help =
       before.find(": ") != std::string_view::npos

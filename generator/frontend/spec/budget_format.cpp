@@ -11,7 +11,7 @@ FormatPtr age_format() {
        format::list(
            "a list of limits of ages",
            format::record(
-               "a limit of an age",
+               "an age limit",
                {{"from", format::port("`object.sensor` or `actions.NAME`"), false,
                  "source of the data (default: every sensor; without an engine every action)"},
                 {"to", format::port("`object.actuator` or `observations.NAME`"), false,

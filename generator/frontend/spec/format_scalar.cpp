@@ -53,15 +53,15 @@ Help other_form(const YamlValue& yaml, const Format& format) {
       const std::string& one = yaml.items[0].text;
       return {fmt::format("write `{}`, without brackets or a dash", one), change_list_to(one)};
     }
-    return mapping ? "" : "it takes one value, no list";
+    return mapping ? "" : "it takes one value, not a list";
   }
   if (yaml.is_map() && list) return "write a list: `[…]`, or lines that begin with a dash";
-  if (yaml.is_map() && value) return "it takes one value, no keys of its own";
+  if (yaml.is_map() && value) return "it takes one value, not a mapping";
   if (yaml.is_scalar() && list && !yaml.is_null() && !yaml.quoted)
     return fmt::format("write a list: `[{}]`", yaml.text);
   if (format.kind == Kind::one_of || !mapping || yaml.is_null()) return {};
-  return fmt::format("write `{}`, or the same in lines {}", mapping_text(format),
-                     yaml.is_sequence() ? "without dashes" : "of their own");
+  return fmt::format("write `{}`, or the same on separate lines{}", mapping_text(format),
+                     yaml.is_sequence() ? " without dashes" : "");
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ bool wrong_type(const YamlValue& yaml, const Format& format, Diagnostics& diagno
                       format.kind == Format::Kind::decimal || format.kind == Format::Kind::number ||
                       format.kind == Format::Kind::boolean || format.kind == Format::Kind::memory;
   if (number && yaml.is_scalar() && yaml.quoted)
-    problem.help = {"quotes make it a text: leave them out", change_to(yaml.text)};
+    problem.help = {"quotes make it text: remove them", change_to(yaml.text)};
   if (problem.help.empty()) problem.help = other_form(yaml, format);
   if (!yaml.is_scalar() || yaml.quoted) return false;
   const auto is_truth = [](const Format& one) { return one.kind == Format::Kind::boolean; };

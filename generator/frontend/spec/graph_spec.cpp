@@ -139,8 +139,8 @@ Help help_for_nothing_to_run(const std::string& name, const YamlValue& nodes) {
   for (const auto& other : nodes.entries)
     if (other.value.find("type") != nullptr || other.value.find("policy") != nullptr)
       others.push_back(other.key);
-  return did_you_mean_or(
-      name, others, "add `type: NODE`, of which `eagerx-gen info` has a list, or `policy: FILE`");
+  return did_you_mean_or(name, others,
+                         "add `type: NODE` (`eagerx-gen info` lists them) or `policy: FILE`");
 }
 
 /// Of one of the `nodes` of the graph: what it runs. A mistake leaves a type that nothing more is

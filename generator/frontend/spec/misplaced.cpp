@@ -114,7 +114,7 @@ Elsewhere of_connections(const std::string& from, const std::string& to) {
 }
 
 Elsewhere rate_of_steps() {
-  return {{"rate"}, "actions and observations have the graph's rate, which stands at its top"};
+  return {{"rate"}, "actions and observations have the graph's rate, the top-level `rate:`"};
 }
 
 std::string help_for_misplaced(const YamlValue& record, std::size_t i, const Format& format,

@@ -25,13 +25,13 @@ void read_until(const YamlValue& yaml, StageSpec& stage, Diagnostics& diagnostic
   stage.success = number_at(yaml, "success");
   stage.mean_return = number_at(yaml, "return");
   if (!stage.success && !stage.mean_return)
-    diagnostics.error("E0202", yaml.span, "`until` says nothing").help =
+    diagnostics.error("E0202", yaml.span, "`until` is empty").help =
         "write when the next stage begins, such as `{success: 0.9}` or `{return: 100}`";
   if (stage.success && !(*stage.success > 0.0 && *stage.success <= 1.0))
     diagnostics
         .error("E0204", yaml.find("success")->span,
                "expected a share of the episodes, above 0 and at most 1")
-        .help = "0.9 are nine of ten episodes";
+        .help = "0.9 means nine of ten episodes";
 }
 
 StageSpec read_stage(const YamlValue& yaml, Diagnostics& diagnostics) {

@@ -175,7 +175,7 @@ class TableReader {
       diagnostics_.error("E0346", number.span,
                          number.text.empty()
                              ? std::string("the cell is empty")
-                             : fmt::format("`{}` is no number", shortened(number.text)));
+                             : fmt::format("`{}` is not a number", shortened(number.text)));
       if (++problems == kMostCsvProblems) break;
     }
     return problems == 0;

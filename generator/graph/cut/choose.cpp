@@ -110,9 +110,9 @@ void check_resets(const Graph& whole, const std::vector<bool>& inside, Diagnosti
 }
 
 /// Against the flow, from an input that waits for what is outside, to a node inside.
-class WayBack {
+class PathBack {
  public:
-  WayBack(const Graph& whole, const std::vector<bool>& inside) : whole_(whole), inside_(inside) {}
+  PathBack(const Graph& whole, const std::vector<bool>& inside) : whole_(whole), inside_(inside) {}
 
   /// The nodes between, nearest to the input first, and at the end the node inside; empty if there
   /// is none.
@@ -129,11 +129,11 @@ class WayBack {
           todo.push_back(input.source_node);
           continue;
         }
-        std::vector<std::size_t> way = {input.source_node};
-        for (std::size_t at = n; at != source; at = next[at]) way.push_back(at);
-        way.push_back(source);
-        std::ranges::reverse(way);
-        return way;
+        std::vector<std::size_t> path = {input.source_node};
+        for (std::size_t at = n; at != source; at = next[at]) path.push_back(at);
+        path.push_back(source);
+        std::ranges::reverse(path);
+        return path;
       }
     }
     return {};
@@ -181,19 +181,19 @@ std::vector<bool> choose_nodes(const Graph& whole, const std::vector<std::string
 }
 
 bool check_order(const Graph& whole, const std::vector<bool>& inside, Diagnostics& diagnostics) {
-  WayBack back(whole, inside);
+  PathBack back(whole, inside);
   for (std::size_t n = 0; n < whole.nodes.size(); ++n) {
     if (!inside[n]) continue;
     for (const Input& input : whole.nodes[n].inputs) {
       if (input.skip || inside[input.source_node]) continue;
-      const auto way = back.from(input.source_node);
-      if (way.empty()) continue;
-      const GraphNode& between = whole.nodes[way.front()];
+      const auto path = back.from(input.source_node);
+      if (path.empty()) continue;
+      const GraphNode& between = whole.nodes[path.front()];
       auto& problem = diagnostics.error(
           "E0398", input.span,
           fmt::format("`{}` waits for what `{}` sends at the same instant, through {}, which is "
                       "outside",
-                      input.written, whole.nodes[way.back()].name,
+                      input.written, whole.nodes[path.back()].name,
                       between.role == NodeRole::environment ? std::string("the agent")
                                                             : "`" + between.name + "`"));
       problem.help =

@@ -6,19 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "generator/graph/plan/ways.hpp"
+#include "generator/graph/plan/paths.hpp"
 
 namespace eagerx::gen {
 
-/// A connection on a way.
-struct AgeHop {
+/// A connection on a path.
+struct AgeEdge {
   std::string input;  // where it leads: "observations.angle"
   Span span;
   Rational newest_s;  // most that the newest message is behind the tick that reads it
 };
 
 /// Data of one end at the ticks of the other, from the first tick on at which every window is full
-/// and every delay has passed. A message is as old as the time since its sender's tick. A way goes
+/// and every delay has passed. A message is as old as the time since its sender's tick. A path goes
 /// through every node at most once: what a node remembers does not count. Of a delay that may
 /// change the longest counts. In a graph without an engine a step takes an action and returns the
 /// next observation at once: their age is counted between the calls, so it lacks the time of one
@@ -26,16 +26,16 @@ struct AgeHop {
 struct DataAge {
   std::string from, to;              // a sensor and an actuator, or an action and an observation
   Rational newest_s;                 // of the freshest data in it, at the worst tick
-  std::optional<Rational> oldest_s;  // of the oldest message in a window on any way
+  std::optional<Rational> oldest_s;  // of the oldest message in a window on any path
   bool exact = true;                 // false: no tick is worse, but perhaps none is as bad
-  std::vector<AgeHop> way;           // the one with the least sum, from its begin on
+  std::vector<AgeEdge> path;         // the one with the least sum, from its begin on
 };
 
-/// For every pair that data go between, sorted by names. Where there are more ways or longer
+/// For every pair that data go between, sorted by names. Where there are more paths or longer
 /// hyperperiods than can be gone through, the ages are sums over connections.
 class DataAges {
  public:
-  DataAges(const Plan& plan, const WayEnds& ends);
+  DataAges(const Plan& plan, const PathEnds& ends);
   [[nodiscard]] const std::vector<DataAge>& known() const { return known_; }
   /// As PathFinder::unknown_between().
   [[nodiscard]] std::vector<const Input*> unknown(const std::string& from = "",

@@ -69,7 +69,7 @@ std::string why_no_phases(const Plan& plan, const Schedule& schedule) {
     if (node.drawn || (node.rate_hz / rate_hz).is_integer()) continue;
     return fmt::format(
         "`{}` runs at {} Hz, {} the environment's {} Hz", node.name, node.rate_hz.to_string(),
-        own_slots && !counts_down ? "and pictures at another rate; it is no multiple of"
+        own_slots && !counts_down ? "and pictures at another rate; it is not a multiple of"
                                   : "no multiple of",
         rate_hz.to_string());
   }

@@ -234,7 +234,7 @@ class Connector {
                                    Side side) {
     if (port.owner == "actions" || port.owner == "observations") {
       diagnostics()
-          .error("E0309", text.span, fmt::format("`{}` cannot stand here", text.value))
+          .error("E0309", text.span, fmt::format("`{}` is not allowed here", text.value))
           .help =
           "actions are sent (`from: actions.…`), observations are received (`to: observations.…`)";
       return side == Side::from ? "actions" : "observations";

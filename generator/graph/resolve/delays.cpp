@@ -44,7 +44,7 @@ void sample_delay(const RandomSpec& spec, Input& input, Diagnostics& diagnostics
   if (!input.random_delay) return;
   if (!input.max_delay_s) input.max_delay_s = longest_delay(*input.random_delay);
   if (!input.max_delay_s) {
-    diagnostics.error("E0327", spec.span, "this delay has no longest value").help =
+    diagnostics.error("E0327", spec.span, "this delay has no maximum").help =
         "write `max_delay` next to it, so that enough memory is reserved";
   }
 }

@@ -81,8 +81,8 @@ class Placer {
 
   void refuse(Span span, const std::string& what, Span first,
               const char* help =
-                  "a part is one program on one target: give the other one a name "
-                  "of its own, such as `{part: left, target: stm32f405}`") {
+                  "a part is one program on one target: give the other "
+                  "its own name, such as `{part: left, target: stm32f405}`") {
     auto& problem = draft_.diagnostics.error("E0333", span, what);
     problem.notes.push_back({"first here", first, ""});
     problem.help = help;
@@ -105,7 +105,7 @@ class Placer {
     if (item.host.value.empty() || !target.system.empty()) return true;
     draft_.diagnostics
         .error("E0332", item.host.span,
-               fmt::format("`{}` is no program of a machine: it has a line to the hub",
+               fmt::format("`{}` is not a program of a machine: it has a line to the hub",
                            target.id.value))
         .help = "leave out `host`, and name the line with `--link` of the program";
     return false;

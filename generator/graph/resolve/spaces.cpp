@@ -352,7 +352,7 @@ class SpaceResolver {
     problem.notes.push_back({"it comes from here", draft.edge->span, input.space.describe()});
     const auto processors = fitting_processors(draft_.library, takes, input.space);
     problem.help = processors.empty()
-                       ? fmt::format("no processor makes {} of it: connect something that fits",
+                       ? fmt::format("no processor converts it to {}: connect a port that fits",
                                      describe(takes))
                        : fmt::format("add `{}` to the connection", join(processors, "` or `"));
     constexpr std::string_view kKey = "processor: ";

@@ -38,8 +38,8 @@ void check_sync(UnresolvedGraph& draft) {
   }
   if (draft.graph.placement) {
     auto& problem = draft.diagnostics.error("E0338", sync->span,
-                                            "a part of this graph is a program of its own, and "
-                                            "programs have no clock in common");
+                                            "a part of this graph is a separate program, and "
+                                            "programs share no clock");
     problem.notes.push_back({"placed here", draft.graph.placement->span(), ""});
     problem.help = "leave `sync` out";
   }

@@ -91,7 +91,7 @@ void UnknownOwners::report_used(const Unknown& unknown, const Place& place) {
   } else if (!unknown.near.empty()) {
     problem.help = meaning(fmt::format("{}.{}", unknown.near, place.port));
   } else if (!unknown.known.empty()) {
-    problem.help = fmt::format("there is {}", join(unknown.known, ", "));
+    problem.help = fmt::format("available: {}", join(unknown.known, ", "));
   }
 }
 

@@ -45,8 +45,9 @@ bool check_normalized_actions(const Network& network, const AgentSpec& policy,
   const Span span = policy.normalize_actions->span;
   if (policy.output) {
     diagnostics
-        .error("E0704", policy.output->span,
-               "`output` and `normalize_actions` both say what becomes of the policy's outputs")
+        .error(
+            "E0704", policy.output->span,
+            "`output` and `normalize_actions` both define how the policy's outputs are converted")
         .help = "leave `output` out: from -1 to 1 all of them mean the same";
     return false;
   }

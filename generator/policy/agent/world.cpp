@@ -9,8 +9,7 @@ namespace {
 
 void miss_rate(const PolicyUse& use, Diagnostics& diagnostics) {
   auto& problem = diagnostics.warning(
-      "W0116", use.span,
-      fmt::format("nothing says at what rate the policy `{}` was trained", use.file));
+      "W0116", use.span, fmt::format("the training rate of the policy `{}` is unknown", use.file));
   problem.label = fmt::format("{} Hz here", use.rate_hz.to_string());
   const std::string place = use.is_agent ? "agent: {policy: …" : "policy: {file: …";
   problem.help =

@@ -25,7 +25,7 @@ bool is_safetensors(std::string_view bytes) {
 }
 
 PolicyProblem none_of_the_formats() {
-  return {"E0603", "is in none of the formats that are read", kKnownFormats};
+  return {"E0603", "has none of the supported formats", kKnownFormats};
 }
 
 /// TorchScript says every step itself.
@@ -51,7 +51,7 @@ std::optional<Network> read_any(std::string_view bytes, const ReadContext& conte
   if (is_zip && !(archive = Archive::open(bytes, problem))) return std::nullopt;
   if (archive && is_torchscript(*archive)) return read_program(*archive, context, problem);
   if (!context.input_sizes.empty()) {
-    return refuse(problem, "E0626", "is no TorchScript, whose inputs alone have no sizes",
+    return refuse(problem, "E0626", "is not TorchScript, whose inputs alone have no sizes",
                   "leave the graph's `input_sizes` out");
   }
   const bool is_table = is_zip || is_safetensors(bytes) || is_legacy_torch(bytes);
@@ -67,17 +67,17 @@ std::optional<Network> read_any(std::string_view bytes, const ReadContext& conte
     return std::nullopt;
   }
   if (!context.actor.empty()) {
-    return refuse(problem, "E0625", "is no table of tensors, which may hold several actors",
+    return refuse(problem, "E0625", "is not a table of tensors, which may hold several actors",
                   "leave the graph's `actor` out; of ONNX say `output_name`");
   }
   if (!context.layers.empty()) {
     return refuse(problem, "E0626",
-                  "is no table of tensors, which alone says nothing of their order",
+                  "is not a table of tensors, which alone says nothing of their order",
                   "leave the graph's `layers` out");
   }
   auto network = read_onnx(bytes, context.output_name, context.files, problem);
   if (network && (context.activation || context.output_activation)) {
-    return refuse(problem, "E0626", "is ONNX, which says the activation of every layer",
+    return refuse(problem, "E0626", "is ONNX, which defines the activation of every layer",
                   fmt::format("leave the graph's `{}` out",
                               context.activation ? "activation" : "output_activation"));
   }

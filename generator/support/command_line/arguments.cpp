@@ -93,7 +93,7 @@ Argument whole(std::string names, std::optional<std::uint64_t>& value, std::stri
       {std::move(names), std::move(about), "N",
        [&value, parsed](const auto& values) { value = parsed(values.front()); }},
       [parsed](const std::string& word) { return parsed(word).has_value(); },
-      fmt::format("is no whole number from {} to {}", low, high));
+      fmt::format("is not a whole number from {} to {}", low, high));
 }
 
 Argument reads(Argument argument, std::string continues) {

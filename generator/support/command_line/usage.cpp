@@ -81,9 +81,9 @@ std::string usage_message(const CLI::App& app, const CLI::Error& problem) {
     if (!rest.empty() && rest.front().starts_with('-')) return too_much(*reached, typed, otherwise);
     if (!rest.empty())
       return message(fmt::format("`{}` has no `{}`", typed, rest.front()),
-                     did_you_mean(rest.front(), commands, "there is " + list));
+                     did_you_mean(rest.front(), commands, "available: " + list));
     return message(fmt::format("`{}` alone is not enough", typed),
-                   reached == &app ? "give a graph, or one of " + list : "there is " + list);
+                   reached == &app ? "give a graph, or one of " + list : "available: " + list);
   }
   const std::string said = problem.what();
   const std::size_t end = said.find('\n');  // of not_a_choice()
@@ -91,7 +91,7 @@ std::string usage_message(const CLI::App& app, const CLI::Error& problem) {
 }
 
 std::string not_a_choice(const std::string& word, const std::vector<std::string>& choices) {
-  const std::string list = fmt::format("there is {}", join(choices, ", "));
+  const std::string list = fmt::format("available: {}", join(choices, ", "));
   return fmt::format("`{}` is not possible\n{}", word, did_you_mean(word, choices, list).text);
 }
 
@@ -103,7 +103,7 @@ std::string not_a_command(const CLI::App& app, const std::string& word) {
   if (!like_one || std::filesystem::exists(word, ignored)) return {};
   const std::vector<std::string> commands = names_of_commands(app);
   return message(fmt::format("`{}` is neither a command nor a file", word),
-                 did_you_mean(word, commands, fmt::format("there is {}", join(commands, ", "))));
+                 did_you_mean(word, commands, fmt::format("available: {}", join(commands, ", "))));
 }
 
 std::string no_help(const CLI::App& app, const std::vector<Topic>& topics,
@@ -111,7 +111,7 @@ std::string no_help(const CLI::App& app, const std::vector<Topic>& topics,
   std::vector<std::string> known = names_of_commands(app);
   for (const Topic& topic : topics) known.push_back(topic.name);
   return message(fmt::format("there is no help for `{}`", word),
-                 did_you_mean(word, known, fmt::format("there is {}", join(known, ", "))));
+                 did_you_mean(word, known, fmt::format("available: {}", join(known, ", "))));
 }
 
 }  // namespace eagerx::gen

@@ -99,7 +99,7 @@ Help did_you_mean(std::string_view word, const std::vector<std::string>& candida
 /// another one, …".
 Help did_you_mean_or(std::string_view word, const std::vector<std::string>& candidates,
                      const Help& otherwise);
-/// did_you_mean(), or "there is A, B, C", or `none` if there are no candidates.
+/// did_you_mean(), or "available: A, B, C", or `none` if there are no candidates.
 Help suggestion(std::string_view word, const std::vector<std::string>& candidates,
                 const Help& none = {});
 

@@ -73,7 +73,7 @@ Help help_for_missing(const std::string& path, const std::string& written) {
   if (alike.empty() || alike.size() > kFew) return {};
   std::string all;
   for (const std::string& name : alike) all += (all.empty() ? "`" : ", `") + as_written(name) + "`";
-  return "there is " + all;
+  return "available: " + all;
 }
 
 }  // namespace eagerx::gen

@@ -52,7 +52,7 @@ struct Pipe {
 /// One of its streams, cut into lines. A carriage return ends one, too: progress is written so.
 class Lines {
  public:
-  Lines(Pipe& pipe, bool is_error, const BesideOptions& options)
+  Lines(Pipe& pipe, bool is_error, const BackgroundOptions& options)
       : pipe_(pipe), is_error_(is_error), options_(options) {}
 
   [[nodiscard]] int descriptor() const { return pipe_.ends[0]; }
@@ -81,7 +81,7 @@ class Lines {
  private:
   Pipe& pipe_;
   bool is_error_;
-  const BesideOptions& options_;
+  const BackgroundOptions& options_;
   std::string line_;
 };
 
@@ -111,7 +111,7 @@ void read_lines(Lines& output, Lines& error, pid_t child) {
 }  // namespace
 
 std::optional<int> run_in_background(const std::vector<std::string>& command,
-                                     const BesideOptions& options) {
+                                     const BackgroundOptions& options) {
   std::vector<char*> arguments;
   arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));

@@ -11,7 +11,7 @@
 
 namespace eagerx::gen {
 
-struct BesideOptions {
+struct BackgroundOptions {
   std::string folder;  // that it is started in
   /// Called with each line of its output as it comes, without what ends it.
   std::function<void(std::string_view line, bool is_error)> line;
@@ -25,6 +25,6 @@ struct BesideOptions {
 /// Returns its exit code, 128 + N if signal N ended it, or nothing if it could not be started:
 /// errno says why.
 std::optional<int> run_in_background(const std::vector<std::string>& command,
-                                     const BesideOptions& options);
+                                     const BackgroundOptions& options);
 
 }  // namespace eagerx::gen

@@ -57,7 +57,7 @@ class CampaignReader {
           "this is the table of a run\nhelp: plot channels of the log that the run writes "
           "with `--trace`");
     if (line != kFirst && !line.starts_with(std::string(kFirst) + ","))
-      return fail("this is no table of `eagerx-gen campaign --csv`");
+      return fail("this is not a table of `eagerx-gen campaign --csv`");
     const auto names = host::cells_of(line);
     for (std::size_t i = kFixed; i < names.size(); ++i) {
       const std::string_view name = names[i].substr(names[i].find(':') + 1);
@@ -83,14 +83,14 @@ class CampaignReader {
     if (cells[0] != std::to_string(table_.returns.size()))
       return fail(fmt::format("run {} is expected here", table_.returns.size()));
     double value = 0.0;
-    if (!host::read_number(cells[kReturn], value)) return fail("`return` is no number");
+    if (!host::read_number(cells[kReturn], value)) return fail("`return` is not a number");
     table_.returns.push_back(value);
     if (cells[kSuccess] != "0" && cells[kSuccess] != "1") return fail("`success` is 0 or 1");
     table_.successes.push_back(cells[kSuccess] == "1");
     for (std::size_t i = 0; i < table_.sampled.size(); ++i) {
       value = std::numeric_limits<double>::quiet_NaN();
       if (!cells[kFixed + i].empty() && !host::read_number(cells[kFixed + i], value))
-        return fail(fmt::format("`{}` is no number", table_.sampled[i].name));
+        return fail(fmt::format("`{}` is not a number", table_.sampled[i].name));
       table_.sampled[i].values.push_back(value);
     }
     return true;

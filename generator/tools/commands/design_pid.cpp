@@ -40,7 +40,7 @@ std::optional<PidRequest> pid_request(const PidOptions& options, DesignRun& run)
     if (!degrees || !(*degrees > 0.0 && *degrees < 180.0) ||
         (!parts.unit.empty() && parts.unit != "deg")) {
       run.diagnostics().usage_error(
-          "E0522", fmt::format("`--phase-margin {}` is no angle between 0 and 180 deg",
+          "E0522", fmt::format("`--phase-margin {}` is not an angle between 0 and 180 deg",
                                options.phase_margin));
       return std::nullopt;
     }
@@ -50,7 +50,7 @@ std::optional<PidRequest> pid_request(const PidOptions& options, DesignRun& run)
     const auto rate = parse_quantity(options.crossover, Quantity::rate);
     if (!rate || !(rate->to_double() > 0.0)) {
       run.diagnostics().usage_error(
-          "E0522", fmt::format("`--crossover {}` is no positive frequency", options.crossover));
+          "E0522", fmt::format("`--crossover {}` is not a positive frequency", options.crossover));
       return std::nullopt;
     }
     request.crossover_hz = rate->to_double();

@@ -67,7 +67,8 @@ std::optional<double> positive_in(const std::string& unit, const std::string& op
     }
   }
   if (number && std::isfinite(*number) && *number > 0.0) return number;
-  diagnostics.usage_error("E0522", fmt::format("`{}` of `{}` is no positive number", text, option));
+  diagnostics.usage_error("E0522",
+                          fmt::format("`{}` of `{}` is not a positive number", text, option));
   return std::nullopt;
 }
 

@@ -18,7 +18,7 @@ namespace {
 /// What keeps a policy from having derivatives; empty if it has some.
 std::string why_no_derivative(const Network& network) {
   if (network.has_memory()) return "it remembers former observations";
-  if (!network.is_chain()) return "its layers are no chain";
+  if (!network.is_chain()) return "its layers are not a chain";
   for (const Layer& layer : network.layers) {
     if (!layer.is_dense()) return "it has other layers than dense ones";
     if (!layer.rounded.empty()) return "its weights have eight bits";

@@ -61,7 +61,7 @@ std::optional<std::vector<std::string>> words_of(const LinearizeOptions& options
   const GraphNode& environment = plan.graph->environment();
   for (std::size_t a = 0; options.from.empty() && a < environment.outputs.size(); ++a) {
     if (!is_floating(environment.outputs[a].space.dtype))
-      diagnostics.note(plan.graph->span, fmt::format("`actions.{}` is no input: it is {}",
+      diagnostics.note(plan.graph->span, fmt::format("`actions.{}` is not an input: it is {}",
                                                      environment.outputs[a].name,
                                                      environment.outputs[a].space.describe()));
     add("--from", channel_at(plan, Graph::kEnvironment, a));

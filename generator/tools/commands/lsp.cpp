@@ -211,7 +211,8 @@ int perform(const LibraryOptions& options) {
     }
     if (messages.is_broken()) {
       complain(
-          "error: what came is no message of the Language Server Protocol\nhelp: `eagerx-gen lsp` "
+          "error: the input is not a message of the Language Server Protocol\nhelp: `eagerx-gen "
+          "lsp` "
           "is started by an editor\n");
       return kProblems;
     }

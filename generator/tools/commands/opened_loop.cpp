@@ -15,10 +15,10 @@ namespace {
 std::vector<DataAge> ages_through(const Plan& plan, std::size_t channel, const PlanInfo& info) {
   std::vector<DataAge> result;
   for (const DataAge& age : info.ages) {
-    const bool passes = std::ranges::any_of(age.way, [&](const AgeHop& hop) {
+    const bool passes = std::ranges::any_of(age.path, [&](const AgeEdge& edge) {
       return std::ranges::any_of(plan.graph->nodes, [&](const GraphNode& node) {
         return std::ranges::any_of(node.inputs, [&](const Input& input) {
-          return input.written == hop.input && input.source_node == plan.channels[channel].node &&
+          return input.written == edge.input && input.source_node == plan.channels[channel].node &&
                  input.source_output == plan.channels[channel].output;
         });
       });

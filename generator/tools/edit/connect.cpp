@@ -120,7 +120,7 @@ Change connect_ports(std::string_view text, const std::string& from, const std::
   constexpr std::size_t kLongest = 1000;
   for (const std::string* const port : {&from, &to}) {
     if (port->find('.') == std::string::npos || port->size() > kLongest)
-      return refused(fmt::format("`{}` is no port", *port), "a port is `name.port`");
+      return refused(fmt::format("`{}` is not a port", *port), "a port is `name.port`");
   }
   if (std::string problem = problem_of(keys); !problem.empty()) return refused(problem);
   std::vector<KeyValue> all = {{"from", yaml_text(from)}, {"to", yaml_text(to)}};

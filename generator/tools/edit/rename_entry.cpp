@@ -88,7 +88,7 @@ Change rename_entry(std::string_view text, const OutlinePath& path, const std::s
   const Written written(text);
   if (!has_name(written, section, from)) return refused(fmt::format("there is no `{}`", from));
   if (!is_name(name))
-    return refused(fmt::format("`{}` is no name", name),
+    return refused(fmt::format("`{}` is not a name", name),
                    "a name has letters, digits and `_`, and begins with no digit");
   if (is_taken(written, section, name))
     return refused(fmt::format("there is `{}` already", name), "choose another name");

@@ -79,16 +79,16 @@ Change add_entry(std::string_view text, const NewEntry& entry) {
   const bool is_entity = is_among(kEntitySections, entry.section);
   if (!is_entity && !is_among(kAgentSections, entry.section))
     return refused(fmt::format("nothing can be added to `{}`", entry.section),
-                   "there is objects, nodes, actions, observations");
+                   "available: objects, nodes, actions, observations");
   const Written before(text);
   if (!is_name(entry.name))
-    return refused(fmt::format("`{}` is no name", entry.name),
+    return refused(fmt::format("`{}` is not a name", entry.name),
                    "a name has letters, digits and `_`, and begins with no digit");
   constexpr std::array kReserved = {"actions", "observations", "engine", "environment"};
   if (is_taken(before, entry.section, entry.name) || (is_entity && is_among(kReserved, entry.name)))
     return refused(fmt::format("there is `{}` already", entry.name), "choose another name");
   if (is_entity && !is_name(entry.type))
-    return refused(fmt::format("`{}` is no id of an entity", entry.type));
+    return refused(fmt::format("`{}` is not an id of an entity", entry.type));
   for (const auto* const values : {&entry.keys, &entry.parameters}) {
     if (std::string problem = problem_of(*values); !problem.empty()) return refused(problem);
   }

@@ -27,7 +27,7 @@ std::string uri_in(const Json& params) {
 void Server::take(std::string_view content) {
   const auto message = parse_json(content);
   if (!message || !message->is<Json::Object>())
-    return refuse(nullptr, kParseError, "the message is no JSON object");
+    return refuse(nullptr, kParseError, "the message is not a JSON object");
   const std::string method = text_of(member(&*message, "method"));
   const Json* const id = member(&*message, "id");
   const Json* const params = member(&*message, "params");

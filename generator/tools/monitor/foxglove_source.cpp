@@ -189,8 +189,8 @@ std::unique_ptr<Source> open_foxglove_source(const std::string& name, std::strin
                                              std::string& problem) {
   publish::Address at;
   if (!publish::parse_local_address(address, at)) {
-    problem = fmt::format("error: `{}` is no source\nhelp: `foxglove:PORT` or `foxglove:HOST:PORT`",
-                          name);
+    problem = fmt::format(
+        "error: `{}` is not a source\nhelp: `foxglove:PORT` or `foxglove:HOST:PORT`", name);
     return nullptr;
   }
   auto source = std::make_unique<FoxgloveSource>(name);

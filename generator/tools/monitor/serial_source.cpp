@@ -180,7 +180,8 @@ std::unique_ptr<Source> open_serial_source(const std::string& path, const std::s
                                            std::string& problem) {
   if (layout_text.empty()) {
     problem =
-        "error: nothing says what the board sends\nhelp: name its graph, which has `telemetry:`, "
+        "error: the format of what the board sends is unknown\nhelp: name its graph, which has "
+        "`telemetry:`, "
         "with `--graph`, or the file `telemetry.json` next to its program with `--layout`";
     return nullptr;
   }

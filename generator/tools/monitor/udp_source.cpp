@@ -123,7 +123,7 @@ std::unique_ptr<Source> open_udp_source(const std::string& name, std::string_vie
                                         std::string& problem) {
   publish::Address at;
   if (!publish::parse_local_address(address, at)) {
-    problem = fmt::format("error: `{}` is no source\nhelp: `udp:PORT` or `udp:HOST:PORT`", name);
+    problem = fmt::format("error: `{}` is not a source\nhelp: `udp:PORT` or `udp:HOST:PORT`", name);
     return nullptr;
   }
   addrinfo hints{}, *found = nullptr;

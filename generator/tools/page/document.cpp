@@ -67,8 +67,8 @@ std::optional<std::string> load_module(const std::string& path, Diagnostics& dia
                 error ? fmt::format("cannot read `{}`: {}", path, error.message())
                 : bytes > kMostBytes
                     ? fmt::format("`{}` is too large for a page: {} MB", path, bytes / 1'000'000)
-                    : fmt::format("`{}` is no module of WebAssembly", path))
-      .help = "remove the folder that it lies in, and build it again";
+                    : fmt::format("`{}` is not a module of WebAssembly", path))
+      .help = "remove its folder and build it again";
   return std::nullopt;
 }
 

@@ -71,7 +71,7 @@ class Joiner {
                                               "async function "};
         if (ranges::none_of(kDeclarations,
                             [&](const char* word) { return declared.starts_with(word); }))
-          return problem(path, fmt::format("`{}` is no `export` before a declaration", line));
+          return problem(path, fmt::format("`{}` is not an `export` before a declaration", line));
         own += fmt::format("{}\n", declared);
       } else {
         own += fmt::format("{}\n", line);

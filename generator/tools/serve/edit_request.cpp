@@ -77,21 +77,21 @@ class OneEdit {
     const Json* const number = member(&edit_, "problem");
     const auto* const index = number != nullptr ? number->as<std::int64_t>() : nullptr;
     if (index == nullptr)
-      problem_ = "`problem` is no whole number";
+      problem_ = "`problem` is not a whole number";
     else if (!is_first_)
       problem_ = "a `fix` is the first edit of a request";
     if (!problem_.empty()) return {};
     const bool is_there = *index >= 0 && static_cast<std::size_t>(*index) < problems_.size();
     auto edit =
         is_there ? fix_of(problems_[static_cast<std::size_t>(*index)], text_) : std::nullopt;
-    if (!edit) return {std::nullopt, "the help of this problem is no change of the text", ""};
+    if (!edit) return {std::nullopt, "the help of this problem is not a change of the text", ""};
     return {std::move(edit)};
   }
 
   std::string text(const char* key) {
     const Json* const value = member(&edit_, key);
     if (value == nullptr || !value->is<std::string>()) {
-      if (problem_.empty()) problem_ = fmt::format("`{}` is no text", key);
+      if (problem_.empty()) problem_ = fmt::format("`{}` is not text", key);
       return {};
     }
     return text_of(value);
@@ -101,7 +101,7 @@ class OneEdit {
   }
   OutlinePath path() {
     auto path = path_of(member(&edit_, "path"));
-    if (!path && problem_.empty()) problem_ = "`path` is no list of keys and numbers";
+    if (!path && problem_.empty()) problem_ = "`path` is not a list of keys and numbers";
     return path.value_or(OutlinePath{});
   }
   std::vector<KeyValue> keys(const char* key) {
@@ -109,13 +109,13 @@ class OneEdit {
     if (object == nullptr) return {};
     const auto* const members = object->as<Json::Object>();
     if (members == nullptr) {
-      if (problem_.empty()) problem_ = fmt::format("`{}` is no object", key);
+      if (problem_.empty()) problem_ = fmt::format("`{}` is not an object", key);
       return {};
     }
     std::vector<KeyValue> values;
     for (const JsonMember& each : *members) {
       if (!each.value.is<std::string>() && problem_.empty())
-        problem_ = fmt::format("`{}` in `{}` is no text", each.name, key);
+        problem_ = fmt::format("`{}` in `{}` is not text", each.name, key);
       values.push_back({each.name, text_of(&each.value)});
     }
     return values;
@@ -141,7 +141,7 @@ Edited edited(std::string_view text, const Json* edits, const std::vector<Diagno
     return result;
   };
   if (list == nullptr || list->empty() || list->size() > kMostEdits)
-    return fail(kBadRequest, fmt::format("`edits` is no list of 1 to {} edits", kMostEdits));
+    return fail(kBadRequest, fmt::format("`edits` is not a list of 1 to {} edits", kMostEdits));
   std::string reason;
   for (result.index = 0; result.index < list->size(); ++result.index) {
     std::string problem;

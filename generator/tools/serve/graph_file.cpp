@@ -41,7 +41,7 @@ FileText read_file(const std::string& path, std::size_t most_bytes = GraphFile::
   if (!file || fstat(file.number(), &facts) != 0) {
     read.problem = std::strerror(errno);
   } else if (!S_ISREG(facts.st_mode)) {
-    read.problem = S_ISDIR(facts.st_mode) ? "it is a folder" : "it is no file";
+    read.problem = S_ISDIR(facts.st_mode) ? "it is a folder" : "it is not a file";
   }
   std::array<char, 1U << 16U> bytes{};
   while (read.problem.empty()) {

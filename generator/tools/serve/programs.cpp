@@ -129,9 +129,9 @@ Reply Programs::start(const Json& request) {
   const std::string kind = text_of(member(&request, "kind"));
   if (!ranges::contains(kKinds, kind))
     return failure(kBadRequest, fmt::format("there is no program `{}`", kind),
-                   "there is check, run, report, simulate, train");
+                   "available: check, run, report, simulate, train");
   const auto words = words_of(member(&request, "arguments"));
-  if (!words) return failure(kBadRequest, "`arguments` is no list of words");
+  if (!words) return failure(kBadRequest, "`arguments` is not a list of words");
   if (running_ || ended_)
     return failure(kConflict, fmt::format("`{}` runs already", kind_), "stop it first");
   if (folder_.empty()) return failure(kFailed, "there is no folder for temporary files");
@@ -166,7 +166,7 @@ Reply Programs::start(const Json& request) {
 }
 
 void Programs::run(const std::vector<std::string>& command) {
-  BesideOptions options;
+  BackgroundOptions options;
   options.folder = fs::path(graph_).parent_path().string();
   options.line = [this](std::string_view line, bool is_error) { add(line, is_error); };
   options.group = [this](pid_t group) {

@@ -103,7 +103,7 @@ std::optional<Answer> Router::refusal(const Asked& asked) const {
   if ((asked.method != "GET" || !gets) && (asked.method != "POST" || !posts))
     return refused(kWrongMethod, fmt::format("`{}` is not for {}", what, asked.method));
   if (asked.method == "POST" && !is_json(asked.type))
-    return refused(kWrongType, "the body is no application/json");
+    return refused(kWrongType, "the body is not application/json");
   return std::nullopt;
 }
 
@@ -112,24 +112,24 @@ Answer Router::answer(const Asked& asked) {
   if (asked.method == "GET") return get(what, asked);
   const auto request = parse_json(asked.body);
   if (!request || !request->is<Json::Object>())
-    return refused(kBadRequest, "the body is no object of JSON");
+    return refused(kBadRequest, "the body is not a JSON object");
   return post(what, *request);
 }
 
 Answer Router::get(const std::string& what, const Asked& asked) {
   if (what == "state") {
     const auto page = whole(asked, "page", -1);
-    if (!page) return refused(kBadRequest, "`page` is no revision");
+    if (!page) return refused(kBadRequest, "`page` is not a revision");
     return answer_of(session_.state(*page, programs_.running()));
   }
   if (what == "changes") {
     const auto revision = whole(asked, "revision", 0);
-    if (!revision) return refused(kBadRequest, "`revision` is no revision");
+    if (!revision) return refused(kBadRequest, "`revision` is not a revision");
     return answer_of(session_.changes(*revision, kLongPollS));
   }
   if (what == "run") {
     const auto after = whole(asked, "after", 0), row = whole(asked, "row", 0);
-    if (!after || !row) return refused(kBadRequest, "`after` or `row` is no number");
+    if (!after || !row) return refused(kBadRequest, "`after` or `row` is not a number");
     return answer_of(programs_.output(static_cast<std::uint64_t>(*after),
                                       static_cast<std::uint64_t>(*row), kLongPollS));
   }

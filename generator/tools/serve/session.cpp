@@ -105,7 +105,7 @@ Reply Session::conflict(std::string problem, const Json& running) {
 std::optional<Reply> Session::refusal(const Json& request, const Json& running) {
   const Json* const asked = member(&request, "revision");
   const auto* const revision = asked != nullptr ? asked->as<std::int64_t>() : nullptr;
-  if (revision == nullptr) return failure(kBadRequest, "`revision` is no whole number");
+  if (revision == nullptr) return failure(kBadRequest, "`revision` is not a whole number");
   // A page that waits for changes may have had them taken from the disk before this edit came.
   if (take_from_disk() || *revision < disk_revision_) return conflict(kOnDisk, running);
   if (*revision != revision_)
@@ -235,7 +235,7 @@ void Session::read_layout() {
 Reply Session::set_layout(const Json& request) {
   const Lock lock(mutex_);
   auto places = places_of(member(&request, "places"));
-  if (!places) return failure(kBadRequest, "`places` is no object of `[x, y]`");
+  if (!places) return failure(kBadRequest, "`places` is not an object of `[x, y]`");
   const std::string text = dump_json(Json{{"places", *places}}) + "\n";
   if (const int error = host::write_whole(layout_path(), text))
     return failure(kFailed, fmt::format("cannot write `{}`: {}", layout_path(),

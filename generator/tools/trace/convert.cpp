@@ -52,7 +52,8 @@ bool leads_away(std::string_view name) {
 std::string why_no_arrays(const trace_log::Log& log) {
   Names names;
   for (const auto& [name, dtype, size, num, den] : log.channels) {
-    if (leads_away(name)) return fmt::format("has the channel `{}`, which is no path in npz", name);
+    if (leads_away(name))
+      return fmt::format("has the channel `{}`, which is not a path in npz", name);
     for (const char* const part : {"", ".episode", ".tick", ".time_s"})
       if (!names.add(name + part, name)) return names.problem();
   }

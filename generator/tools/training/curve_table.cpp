@@ -67,12 +67,12 @@ class CurveReader {
                                      counted(cells.size(), "cell"), names_.size()));
     std::uint64_t seed = 0;
     if (has_seeds() && !host::read_number(cells[place_of("seed")], seed))
-      return lines_.fail("`seed` is no whole number");
+      return lines_.fail("`seed` is not a whole number");
     LearningCurve* const curve = curve_of(seed);
     if (curve == nullptr) return lines_.fail("there are more trainings than may be");
     double steps = 0.0;
     if (!read(cells[place_of("steps")], steps) || steps < 0.0)
-      return lines_.fail("`steps` is no number");
+      return lines_.fail("`steps` is not a number");
     if (!curve->steps.empty() && steps <= curve->steps.back())
       return lines_.fail("its steps are not more than those before");
     numbers_ += 1 + curve->columns.size();
@@ -82,7 +82,7 @@ class CurveReader {
       double value = std::numeric_limits<double>::quiet_NaN();
       const std::size_t place = place_of(kCurveColumns.at(i));
       if (place != kNowhere && !cells[place].empty() && !read(cells[place], value))
-        return lines_.fail(fmt::format("`{}` is no number", kCurveColumns.at(i)));
+        return lines_.fail(fmt::format("`{}` is not a number", kCurveColumns.at(i)));
       curve->columns.at(i).push_back(value);
     }
     return true;

@@ -26,19 +26,19 @@ class Fields {
   double number(std::string_view name) {
     const auto value = number_of(member(&json_, name));
     if (value && std::isfinite(*value)) return *value;
-    lines_.fail(fmt::format("`{}` is no number", name));
+    lines_.fail(fmt::format("`{}` is not a number", name));
     return 0.0;
   }
   double whole(std::string_view name, double most = kMostWhole) {
     const double value = number(name);
     if (value >= 0.0 && value <= most && value == std::floor(value)) return value;
-    lines_.fail(fmt::format("`{}` is no whole number from 0 to {:.0f}", name, most));
+    lines_.fail(fmt::format("`{}` is not a whole number from 0 to {:.0f}", name, most));
     return 0.0;
   }
   std::string text(std::string_view name) {
     const Json* const value = member(&json_, name);
     if (value == nullptr || !value->is<std::string>())
-      lines_.fail(fmt::format("`{}` is no text", name));
+      lines_.fail(fmt::format("`{}` is not text", name));
     return text_of(value);
   }
   std::vector<std::string> texts(std::string_view name, std::size_t most) {
@@ -51,7 +51,7 @@ class Fields {
       }
     }
     if (items == nullptr || all.size() != items->size())
-      lines_.fail(fmt::format("`{}` is no list of texts", name));
+      lines_.fail(fmt::format("`{}` is not a list of texts", name));
     return all;
   }
   [[nodiscard]] const Json* find(std::string_view name) const { return member(&json_, name); }
@@ -95,7 +95,7 @@ class RecordReader {
   std::optional<Json> object(std::string_view line) {
     auto json = parse_json(line);
     if (json && json->is<Json::Object>()) return json;
-    lines_.fail("it is no object of JSON");
+    lines_.fail("it is not a JSON object");
     return std::nullopt;
   }
 
@@ -182,13 +182,13 @@ class RecordReader {
     const Json* const value = fields.find(name);
     const auto* items = value == nullptr ? nullptr : value->as<Json::List>();
     if (items == nullptr) {
-      lines_.fail(fmt::format("`{}` is no list of numbers", name));
+      lines_.fail(fmt::format("`{}` is not a list of numbers", name));
       return all;
     }
     for (const Json& item : *items) {
       const auto number = number_of(&item);
       if (!number && !item.is<std::monostate>())
-        lines_.fail(fmt::format("`{}` is no list of numbers", name));
+        lines_.fail(fmt::format("`{}` is not a list of numbers", name));
       all.push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
     }
     return all;
@@ -219,7 +219,7 @@ class RecordReader {
   Json time(Fields& fields) {
     const Json* const value = fields.find("time");
     if (!value->is<Json::Object>()) {
-      lines_.fail("`time` is no object");
+      lines_.fail("`time` is not an object");
       return {};
     }
     Fields time(*value, lines_);
@@ -235,7 +235,7 @@ class RecordReader {
   bool read_evaluation(Fields& fields, Training& training) {
     const Json* const value = fields.find("evaluation");
     if (value == nullptr || !value->is<Json::Object>())
-      return lines_.fail("`evaluation` is no object");
+      return lines_.fail("`evaluation` is not an object");
     Fields evaluation(*value, lines_);
     training.successes = evaluation.whole("successes");
     training.mean_return = evaluation.number("return");
@@ -258,7 +258,7 @@ class RecordReader {
   bool read_episodes(Fields& fields, Training& training) {
     const Json* const value = fields.find("episodes");
     const auto* items = value == nullptr ? nullptr : value->as<Json::List>();
-    if (items == nullptr) return lines_.fail("`episodes` is no list");
+    if (items == nullptr) return lines_.fail("`episodes` is not a list");
     for (const Json& item : *items) {
       const auto episode = episode_of(item);
       if (!episode)

@@ -87,7 +87,7 @@ class SweepReader {
         {6, &row.episodes}, {7, &row.mean_return}, {8, &row.processor_s}};
     for (const auto& [place, number] : numbers) {
       if (!host::read_number(cells[place], *number) || !std::isfinite(*number))
-        return lines_.fail(fmt::format("`{}` is no number", cells_of(kSweepHeader)[place]));
+        return lines_.fail(fmt::format("`{}` is not a number", cells_of(kSweepHeader)[place]));
     }
     rows_.push_back(std::move(row));
     return true;

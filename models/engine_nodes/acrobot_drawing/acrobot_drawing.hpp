@@ -8,7 +8,7 @@
 namespace eagerx::models {
 
 /// Every tick: scene [24, 16] := links at the angles of `observation` [6], [cos θ1, sin θ1, cos θ2,
-/// sin θ2, …], 0 hanging, θ2 relative to the first link; as long as none has come, hanging.
+/// sin θ2, …], 0 hanging, θ2 relative to the first link; before the first message, hanging.
 template <class Io>
 class AcrobotDrawing {
  public:

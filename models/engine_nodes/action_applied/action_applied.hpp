@@ -6,7 +6,7 @@
 
 namespace eagerx::models {
 
-/// Every tick: output := last action_applied [n]; zeros as long as none has come, as at tick 0 of
+/// Every tick: output := last action_applied [n]; zeros before the first message, as at tick 0 of
 /// the usual, skipped connection.
 template <class Io>
 class ActionApplied {

@@ -9,7 +9,7 @@
 namespace eagerx::models {
 
 /// Every tick: scene [24, 16] := the cart at x and the pole at θ of `observation` [4], in m and
-/// rad, θ = 0 upright, positive to the right; as long as none has come, in the middle and upright.
+/// rad, θ = 0 upright, positive to the right; before the first message, in the middle and upright.
 template <class Io>
 class CartPoleDrawing {
  public:

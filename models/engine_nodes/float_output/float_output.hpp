@@ -8,8 +8,8 @@
 
 namespace eagerx::models {
 
-/// Every tick: observation [] := element `idx` of the last observation_array [n]; zero as long as
-/// none has come (skipped connections).
+/// Every tick: observation [] := element `idx` of the last observation_array [n]; zero before the
+/// first message (skipped connections).
 template <class Io>
 class FloatOutput {
  public:

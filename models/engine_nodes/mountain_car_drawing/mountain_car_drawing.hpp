@@ -10,7 +10,7 @@
 namespace eagerx::models {
 
 /// Every tick: scene [24, 16] := a car at x of `observation` [2] in the valley 0.45·sin 3x, as Gym
-/// draws it; as long as none has come, at 0.
+/// draws it; before the first message, at 0.
 template <class Io>
 class MountainCarDrawing {
  public:

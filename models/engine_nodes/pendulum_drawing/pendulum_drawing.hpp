@@ -7,8 +7,8 @@
 
 namespace eagerx::models {
 
-/// Every tick: scene [24, 16] := a disc with a weight, or a mark, at `angle` [rad], 0 upright; as
-/// long as none has come, upright.
+/// Every tick: scene [24, 16] := a disc with a weight, or a mark, at `angle` [rad], 0 upright;
+/// before the first message, upright.
 template <class Io>
 class PendulumDrawing {
  public:

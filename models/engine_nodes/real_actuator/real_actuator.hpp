@@ -12,7 +12,7 @@ namespace eagerx::models {
 enum class OutOfLimits : std::uint8_t { clip, safe };
 
 /// Every tick: next action := last action [n] within its limits, which is also the output; the safe
-/// action while RealEngine holds the actuators, and as long as no action has come.
+/// action while RealEngine holds the actuators, and before the first action.
 template <class Io>
 class RealActuator {
  public:

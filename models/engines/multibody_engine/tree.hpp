@@ -15,7 +15,7 @@ using models::operator-;
 
 /// The base in lists of links, the world in lists of bodies.
 inline constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-/// A direction that is no axis of the object's frame.
+/// A direction that is not an axis of the object's frame.
 inline constexpr std::size_t kTurned = 3;
 
 /// Mass, first moment and inertia of a body about a point: [m, hx, hy, hz, Ixx, Iyy, Izz, Ixy, Ixz,

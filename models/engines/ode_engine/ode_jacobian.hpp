@@ -143,7 +143,7 @@ requires(TakesDualNumbers<Model> && !HasJacobianOfInputs<Model> &&
 
 /// f and ∂f/∂x [N][N] of a model with its parameters and input held constant. ∂f/∂x is the model's
 /// own `jacobian`; else it is computed with dual numbers, exact but for rounding; else, if the
-/// model is no template over Io or says `dual_numbers = false`, with central differences.
+/// model is not a template over Io or says `dual_numbers = false`, with central differences.
 template <OdeModel Model>
 class OdeJacobian {
  public:

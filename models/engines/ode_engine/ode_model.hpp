@@ -19,7 +19,7 @@ namespace eagerx::models {
 ///   static Coefficients precompute(const Array<Real, kParameters>& p,
 ///                                  const Array<Real, kInputs>& u);
 ///   static Array<Real, kStates> derivative(const Coefficients& c, Array<Real, kStates> x);
-/// It may have ∂f/∂x, row-major, with the same arguments as `derivative`, for those who linearise:
+/// It may have ∂f/∂x, row-major, with the same arguments as `derivative`, for linearization:
 ///   static Array<Real, kStates, kStates> jacobian(…);
 /// Without it, `derivative` is computed with Real = eagerx::Dual (eagerx/math/dual.hpp), so it must
 /// be written over Io::Real alone. One that cannot (a table over whole numbers) says
@@ -42,7 +42,7 @@ using OdeInputs = Array<typename Model::Real, Model::kInputs>;
 template <class Model>
 using OdeParameterSet = Array<typename Model::Real, Model::kParameters>;
 
-/// Model<Io> with another Io::Real; nothing for a model that is no template over Io.
+/// Model<Io> with another Io::Real; nothing for a model that is not a template over Io.
 template <class Model, class OtherReal>
 struct ModelOver {};
 template <template <class> class Model, class Io, class OtherReal>

@@ -21,7 +21,7 @@ struct RigidShape {
   dBodyID body = nullptr;  // null: part of the world
   double friction = 0.0;
   double bounce = 0.0;
-  bool watched = false;  // somebody wants to know the force
+  bool watched = false;  // the force is observed
   Vector3 force{};       // of all its contacts in the last step, in the world's axes [N]
 };
 
@@ -45,7 +45,7 @@ struct RigidWorldSettings {
   double step_s = 0.0;
 };
 
-/// Bodies, joints and at most MaxContacts contacts. Pairs of shapes are looked at in the order of
+/// Bodies, joints and at most MaxContacts contacts. Pairs of shapes are checked in the order of
 /// the objects and their geometries, so that a step depends on nothing but the state. All bytes are
 /// zero until create(); nothing allocates after warm_up().
 template <std::size_t MaxContacts>

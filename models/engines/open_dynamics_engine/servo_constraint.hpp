@@ -34,12 +34,12 @@ constexpr double servo_torque(const JointServo& servo, const JointStep& joint) {
   return eagerx::max(-servo.max_torque, eagerx::min(wanted, servo.max_torque));
 }
 
-/// All zero where the servo is no constraint.
+/// All zero where the servo is not a constraint.
 class ServoConstraint {
  public:
   constexpr bool holds() const { return slope_ > 0.0; }
 
-  /// Sets the library's motor; false if the servo is no constraint in this step. At a stop the
+  /// Sets the library's motor; false if the servo is not a constraint in this step. At a stop the
   /// library would add the motor's whole torque, so there it is none.
   bool hold(dJointID id, const RigidJoint& of, const JointServo& servo, double strength,
             const JointStep& joint) {

@@ -11,7 +11,7 @@
 
 namespace eagerx::links {
 
-/// The system sets the clock, so a device's max_hz is not looked at. All bytes are zero until
+/// The system sets the clock, so a device's max_hz is ignored. All bytes are zero until
 /// open().
 template <class System = Kernel>
 class LinuxI2c {

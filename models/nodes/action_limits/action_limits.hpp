@@ -13,7 +13,7 @@
 namespace eagerx::models {
 
 /// Every tick: `limited` := the last `action`, each element within [low, high]; zero moved into
-/// them replaces NaN, also as long as nothing has come.
+/// them replaces NaN, also before the first message.
 template <class Io>
 class ActionLimits {
  public:

@@ -9,7 +9,7 @@
 namespace eagerx::models {
 
 /// y[n] = p + (1 − α)·(measured − p) with p = y[n − 1] + T·derivative and α = τ/(τ + T), element by
-/// element. The first finite `measured` is y. A derivative that is not finite or has not come
+/// element. The first finite `measured` is y. A derivative that is not finite or is missing
 /// counts as 0; without a finite `measured`, y is p. An overflow leaves y at `measured`, or as it
 /// was. The sums are compensated: neither a slow turn nor a small correction is lost.
 template <class Io>

@@ -10,7 +10,7 @@ namespace eagerx::models {
 
 /// y is how often the signal came to `threshold` or above from below, since the reset, element by
 /// element, however many there are; with `modulo` m above 0 it goes from m − 1 to 0. NaN and what
-/// has not come are below.
+/// is missing are below.
 template <class Io>
 class Counter {
  public:

@@ -8,8 +8,8 @@
 
 namespace eagerx::models {
 
-/// y = signal − clamp(signal, low, high), element by element: 0 within the zone. Zero as long as no
-/// signal has come; NaN passes.
+/// y = signal − clamp(signal, low, high), element by element: 0 within the zone. Zero before the
+/// first signal; NaN passes.
 template <class Io>
 class DeadZone {
  public:

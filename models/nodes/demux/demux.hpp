@@ -7,8 +7,8 @@
 
 namespace eagerx::models {
 
-/// The first sizes[0] elements of the signal are a, the next sizes[1] are b, and so on. Zero as
-/// long as no signal has come; NaN passes.
+/// The first sizes[0] elements of the signal are a, the next sizes[1] are b, and so on. Zero before
+/// the first signal; NaN passes.
 template <class Io>
 class Demux {
  public:

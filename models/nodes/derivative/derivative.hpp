@@ -9,9 +9,9 @@
 namespace eagerx::models {
 
 /// s/(τ·s + 1) by backward differences: y[n] = (τ·y[n − 1] + x[n] − x[n − 1])/(τ + T), element by
-/// element. The first signal of an episode has the derivative 0. A signal that is not finite or has
-/// not come leaves everything as it is, and so does one whose derivative overflows. x[n] − x[n − 1]
-/// is moved by whole turns into [−turn/2, turn/2] if `turn` is above 0.
+/// element. The first signal of an episode has the derivative 0. A signal that is not finite
+/// or is missing leaves everything as it is, and so does one whose derivative overflows. x[n] − x[n
+/// − 1] is moved by whole turns into [−turn/2, turn/2] if `turn` is above 0.
 template <class Io>
 class Derivative {
  public:

@@ -8,7 +8,7 @@
 
 namespace eagerx::models {
 
-/// y = gain·signal, element by element. Zero as long as no signal has come; NaN passes.
+/// y = gain·signal, element by element. Zero before the first signal; NaN passes.
 template <class Io>
 class Gain {
  public:

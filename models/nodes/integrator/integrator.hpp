@@ -16,7 +16,7 @@ enum class IntegrationMethod : std::uint8_t { forward, backward, trapezoidal };
 ///   forward      y[n] = s[n − 1], s[n] = clamp(s[n − 1] + T·x[n])
 ///   backward     y[n] = clamp(y[n − 1] + T·x[n])
 ///   trapezoidal  y[n] = clamp(y[n − 1] + T/2·(x[n] + x[n − 1]))
-/// The state itself is limited, so nothing winds up. A signal that is not finite, has not come or
+/// The state itself is limited, so nothing winds up. A signal that is not finite, is missing or
 /// makes the sum overflow adds nothing.
 template <class Io>
 class Integrator {

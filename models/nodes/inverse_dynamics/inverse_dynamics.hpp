@@ -8,7 +8,7 @@
 namespace eagerx::models {
 
 /// u [joints] = M(q)·a + h(q, v) + damping·v, clamped. Without inputs `v` and `a` they are 0. If an
-/// input is not finite or has not come, u is zero, moved into its limits.
+/// input is not finite or is missing, u is zero, moved into its limits.
 template <class Io>
 class InverseDynamics : public TorqueBlock<Io> {
   using Base = TorqueBlock<Io>;

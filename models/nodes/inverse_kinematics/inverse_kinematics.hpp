@@ -11,7 +11,7 @@
 namespace eagerx::models {
 
 /// q [joints] after `iterations` steps q += Jᵀ·(J·Jᵀ + (damping + e²/2)·I)⁻¹·e from the last q, or
-/// from `start`, within the stops. A goal that is not finite or has not come changes nothing.
+/// from `start`, within the stops. A goal that is not finite or is missing changes nothing.
 template <class Io>
 class InverseKinematics : public RobotBlock<Io> {
   using Base = RobotBlock<Io>;

@@ -10,8 +10,8 @@
 namespace eagerx::models {
 
 /// x := A·x + B·u, P := A·P·Aᵀ + Q, then for each element of measured, one after the other,
-/// k = P·cᵀ/(c·P·cᵀ + r), x += k·(measured − c·x), P −= k·c·P. Elements that are not finite or have
-/// not come correct nothing. If x or P is not finite, both begin anew.
+/// k = P·cᵀ/(c·P·cᵀ + r), x += k·(measured − c·x), P −= k·c·P. Elements that are not finite
+/// or are missing correct nothing. If x or P is not finite, both begin anew.
 template <class Io>
 class KalmanFilter {
  public:

@@ -12,7 +12,7 @@ enum class Outside : std::uint8_t { hold, extrapolate };
 enum class Interpolation : std::uint8_t { linear, previous };
 
 /// y between the points (x[k], y[k]), for each element of the signal. Beyond the ends: the value
-/// there, or along the last line. Zero as long as no signal has come; NaN passes.
+/// there, or along the last line. Zero before the first signal; NaN passes.
 /// Linear: y[k] + (signal − x[k])·slope[k], with slopes that the compiler computes in double.
 template <class Io>
 class LookupTable {
@@ -44,7 +44,7 @@ class LookupTable {
     return constants<Real>(slope);
   }();
 
-  /// Every point is looked at, so that all lanes of a SIMD vector do the same.
+  /// Every point is evaluated, so that all lanes of a SIMD vector do the same.
   static Real value(const Real& signal) {
     const Real inside = Config::outside == Outside::hold
                             ? eagerx::clamp(signal, Real(kX[0]), Real(kX[kPoints - 1]))

@@ -9,7 +9,7 @@
 namespace eagerx::models {
 
 /// y between the points of a grid, bilinear; `a` and `b` beyond the grid are moved to its edge.
-/// Zero as long as a or b has not come; NaN if one of them is.
+/// Zero as long as a or b is missing; NaN if one of them is.
 /// Looks up lane by lane: lanes of a SIMD vector are in different cells.
 template <class Io>
 class LookupTable2d {

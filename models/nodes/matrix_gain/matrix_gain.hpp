@@ -8,8 +8,8 @@
 
 namespace eagerx::models {
 
-/// y [rows] = gain [rows][columns] · signal [columns], each row added from left to right. Zero as
-/// long as no signal has come; NaN passes.
+/// y [rows] = gain [rows][columns] · signal [columns], each row added from left to right. Zero
+/// before the first signal; NaN passes.
 template <class Io>
 class MatrixGain {
  public:

@@ -9,7 +9,7 @@
 namespace eagerx::models {
 
 /// The median of the last n signals that were numbers, or of as many as there are; the mean of the
-/// middle two if they are even. Zero before the first. NaN and what has not come are left out.
+/// middle two if they are even. Zero before the first. NaN and what is missing are left out.
 /// Sorts lane by lane.
 template <class Io>
 class MovingMedian {

@@ -38,7 +38,7 @@ struct LinearModel {
     for (std::size_t i = 0; i < kOrder; ++i) x.set(i, each<Real>(kInitial, i));
   }
 
-  /// A u that is not finite or has not come counts as 0.
+  /// A u that is not finite or is missing counts as 0.
   void predict(const Inputs& in) {
     std::array<Real, kOrder> drive{};
     if constexpr (requires { in.u; }) {

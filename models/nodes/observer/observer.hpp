@@ -9,7 +9,7 @@
 namespace eagerx::models {
 
 /// p = A·x + B·u, then x := p + gain·(measured − C·p); at the first tick p is the initial x. An
-/// element of measured that is not finite or has not come corrects nothing. An x that overflows
+/// element of measured that is not finite or is missing corrects nothing. An x that overflows
 /// begins anew.
 template <class Io>
 class Observer {

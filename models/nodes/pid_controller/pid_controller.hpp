@@ -74,7 +74,7 @@ class PidController {
     if constexpr (HasForward) wanted += forward;
     const auto winds_up =
         (wanted > Real(kHigh) && sum_term > Real(0)) || (wanted < Real(kLow) && sum_term < Real(0));
-    // Finite inputs can still make inf − inf, which is no output and not to be kept.
+    // Finite inputs can still make inf − inf, which is not an output and not to be kept.
     const auto good = right && !eagerx::isnan(wanted);
     const auto sums = good && !winds_up && eagerx::isfinite(sum.value);
     sum_ = {select(sums, sum.value, sum_.value), select(sums, sum.rest, sum_.rest)};

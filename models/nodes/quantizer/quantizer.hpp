@@ -8,8 +8,8 @@
 
 namespace eagerx::models {
 
-/// y = step·round(signal/step), halves away from zero, element by element. Zero as long as no
-/// signal has come; NaN passes.
+/// y = step·round(signal/step), halves away from zero, element by element. Zero before the
+/// first signal; NaN passes.
 template <class Io>
 class Quantizer {
  public:

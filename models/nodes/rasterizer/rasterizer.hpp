@@ -12,7 +12,7 @@
 namespace eagerx::models {
 
 /// Every tick: image := the pixels of the last `scene` [rows, 16], uint8 [height, width, 3] or
-/// [height, width]; white as long as none has come.
+/// [height, width]; white before the first message.
 template <class Io>
 class Rasterizer {
  public:

@@ -10,7 +10,7 @@
 namespace eagerx::models {
 
 /// y = clamp(signal, low, high), element by element; a reset may set the limits. Zero, moved into
-/// them, as long as no signal has come; NaN passes.
+/// them, before the first signal; NaN passes.
 template <class Io>
 class Saturation {
  public:

@@ -14,7 +14,7 @@
 namespace eagerx::models {
 
 /// Every tick, for each element: y ← y + clamp(x − y, ±per_second/rate), x the last `signal`,
-/// y = `initial` at a reset; `limited` is y. NaN and a signal that has not come leave y as it is.
+/// y = `initial` at a reset; `limited` is y. NaN and a signal that is missing leave y as it is.
 template <class Io>
 class SlewLimit {
  public:
@@ -32,7 +32,7 @@ class SlewLimit {
                   "SlewLimit: `limited` must have as many elements as `signal`");
     TruthOf<Real> limited = false;
     for (std::size_t i = 0; i < kSize; ++i) {
-      // What has not come is like what is no number: it leaves the value as it is.
+      // What is missing is like what is not a number: it leaves the value as it is.
       const Real wanted = newest<Real>(in.signal, i, Real(FloatFormat<LaneOf<Real>>::nan));
       const TruthOf<Real> lags = follow(i, wanted);
       limited = limited || (lags && !in.signal.empty());

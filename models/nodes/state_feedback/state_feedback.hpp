@@ -10,7 +10,7 @@
 namespace eagerx::models {
 
 /// u [rows] = clamp(reference_gain·reference − gain·x, low, high). If x or reference is not finite
-/// or has not come, u is zero, moved into its limits.
+/// or is missing, u is zero, moved into its limits.
 template <class Io>
 class StateFeedback {
  public:

@@ -7,7 +7,7 @@
 
 namespace eagerx::models {
 
-/// y = a where control ≥ threshold, else b: also if control is NaN or has not come. `control` is
+/// y = a where control ≥ threshold, else b: also if control is NaN or missing. `control` is
 /// one number for all elements, or one for each. An input without a message counts as zero.
 template <class Io>
 class Switch {

@@ -9,7 +9,7 @@
 
 namespace eagerx::models {
 
-/// y[n] = signal[n − 1]; `initial` at first and for a signal that had not come. NaN passes.
+/// y[n] = signal[n − 1]; `initial` at first and for a signal that was missing. NaN passes.
 template <class Io>
 class UnitDelay {
  public:

@@ -35,7 +35,7 @@ struct Statistics {
 
 /// `Port` has put(byte), flush() and get(until_ns), which returns a byte, kNothing when the time
 /// is over or kClosed; and now_ns(), a clock that never goes back. It may have write_until(ns):
-/// what cannot be written by then is dropped; and is_interrupted(): somebody wants the run to end,
+/// what cannot be written by then is dropped; and is_interrupted(): the run is interrupted,
 /// so an answer that is not there soon is not waited for. `Depth`: requests that may be without an
 /// answer; the board's BoardLink has the same.
 template <class Port, std::size_t ToBoard, std::size_t ToHost, std::size_t Depth = 1>

@@ -30,7 +30,7 @@ struct Awaited {
   std::uint32_t channel;
 };
 
-/// Messages in the order of the trace, from the first that has not come: a ring of bytes, in which
+/// Messages in the order of the trace, from the first that is missing: a ring of bytes, in which
 /// no message is in two pieces. All zero at the start.
 template <class Hooks, std::size_t Bytes>
 class LaterMessages {

@@ -32,7 +32,7 @@ struct Int8Weights {
   }
 };
 
-/// y = A(W x + b); `x` [In] and `y` [Out] must not overlap. If an input is no finite number, all
+/// y = A(W x + b); `x` [In] and `y` [Out] must not overlap. If an input is not a finite number, all
 /// outputs are NaN.
 template <Activation A, std::size_t In, std::size_t Out>
 inline void dense(const Int8Weights<In, Out>& layer, const float (&x)[In], float (&y)[Out],

@@ -42,7 +42,7 @@ constexpr std::size_t int8_place(std::size_t i) {
 }
 
 /// x [inputs] as whole numbers q [int8_row(inputs)] times the number returned, rounded to nearest,
-/// ties to even. NaN if any input is no finite number; 0 if all are below 1e-30.
+/// ties to even. NaN if any input is not a finite number; 0 if all are below 1e-30.
 [[gnu::noinline]] inline float round_inputs(const float* x, std::size_t inputs, std::int16_t* q) {
   constexpr std::uint32_t kInfinity = 0x7f800000U;
   constexpr std::uint32_t kSmallest = std::bit_cast<std::uint32_t>(1e-30F);

@@ -106,7 +106,7 @@ bool takes_output(const struct stat& status) {
 std::string problem_of_writing(int error) {
   switch (error) {
     case EINVAL:
-      return "it is no file, FIFO or character device";
+      return "it is not a file, FIFO or character device";
     case ENXIO:
       return "no program reads it";
     case ETIMEDOUT:

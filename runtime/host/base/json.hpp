@@ -8,7 +8,7 @@
 
 namespace eagerx::host {
 
-/// Foreign text as a string of JSON, behind `to`. What is no UTF-8 stays what it is.
+/// Foreign text as a string of JSON, behind `to`. What is not UTF-8 stays as it is.
 void append_json_string(std::string& to, std::string_view text);
 
 /// Writes JSON; the caller opens and closes. Commas come by themselves.

@@ -19,7 +19,7 @@ struct JsonValue {
   std::vector<JsonValue> items;    // of an array or an object
   std::vector<std::string> names;  // [items] of an object
 
-  /// The first of this name; null if there is none, or this is no object.
+  /// The first of this name; null if there is none, or this is not an object.
   const JsonValue* find(std::string_view name) const;
   bool is(Kind which) const { return kind == which; }
 };

@@ -164,7 +164,7 @@ std::string suggestion(std::string_view name, const std::vector<Named>& known) {
   const std::string near = nearest_name(name, names);
   for (const Named& each : known)
     if (!near.empty() && each.name == near) return "did you mean `" + each.of + "`?";
-  return all.empty() ? std::string() : "there is " + listed(all);
+  return all.empty() ? std::string() : "available: " + listed(all);
 }
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
@@ -175,7 +175,7 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
 std::string suggestion(std::string_view name, const std::vector<std::string>& known) {
   if (std::string near = did_you_mean(name, known); !near.empty()) return near;
   std::string all;
-  for (const std::string& each : known) all += (all.empty() ? "there is " : ", ") + each;
+  for (const std::string& each : known) all += (all.empty() ? "available: " : ", ") + each;
   return all;
 }
 

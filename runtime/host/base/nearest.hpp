@@ -34,12 +34,12 @@ struct Named {
 /// The same for what has several names: the `of` that they agree on. Null if there is none.
 const std::string* name_meant(std::string_view name, const std::vector<Named>& known);
 /// "did you mean `…`?" with the `of` of the nearest name; "it may be A, B" of several that have its
-/// parts; or "there is A, B, C".
+/// parts; or "available: A, B, C".
 std::string suggestion(std::string_view name, const std::vector<Named>& known);
 
 /// "did you mean `…`?" with it, or empty.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
-/// The same, or "there is A, B, C"; empty if nothing is known.
+/// The same, or "available: A, B, C"; empty if nothing is known.
 std::string suggestion(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace eagerx::host

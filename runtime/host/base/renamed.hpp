@@ -78,7 +78,7 @@ inline constexpr auto kRenamed = std::to_array<Renamed>({
     {kTrainOptions, "--hard-starts", "--failure-replay"},
 });
 
-/// The present name of `name`; empty if it is no former name there.
+/// The present name of `name`; empty if it is not a former name there.
 constexpr std::string_view new_name(std::string_view where, std::string_view name) {
   for (const Renamed& one : kRenamed) {
     if ((one.where == where || one.where == kAnyMapping) && one.old_name == name)
@@ -95,7 +95,7 @@ constexpr std::string_view former_name(std::string_view where, std::string_view 
   return {};
 }
 
-/// "write `gae_lambda`, the new name of `trace_decay`"; empty if it is no former name.
+/// "write `gae_lambda`, the new name of `trace_decay`"; empty if it is not a former name.
 inline std::string help_for_renamed(std::string_view where, std::string_view name) {
   const std::string_view now = new_name(where, name);
   if (now.empty()) return {};

@@ -211,7 +211,7 @@ class Grammar {
 
   Expression number(std::string digits, std::size_t begin) {
     Expression result = of(Tree::number, begin, {});
-    if (!parse_digits(digits)) text_.fail(begin, "`" + digits + "` is no number");
+    if (!parse_digits(digits)) text_.fail(begin, "`" + digits + "` is not a number");
     result.text = std::move(digits);
     return result;
   }

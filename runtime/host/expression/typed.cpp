@@ -43,8 +43,9 @@ class Typer {
     } else {
       expect_number(all, tree->begin);
       if (all.is_list())
-        fail(tree->begin, "this is " + list_text(all.shape) + ", not one number",
-             "make one number of it with sum, norm, mean, min or max, or take an element: `x[0]`");
+        fail(
+            tree->begin, "this is " + list_text(all.shape) + ", not one number",
+            "reduce it to one number with sum, norm, mean, min or max, or take an element: `x[0]`");
     }
     return text_.good() ? std::optional(std::move(all)) : std::nullopt;
   }
@@ -173,7 +174,7 @@ class Typer {
     result.is_condition = list.is_condition;
     if (!text_.good()) return result;
     if (!list.is_list()) {
-      fail(tree.begin, "this is no list, so it has no elements",
+      fail(tree.begin, "this is not a list, so it has no elements",
            "write it without `[" + std::to_string(tree.count) + "]`");
     } else if (tree.count >= list.size()) {
       fail(tree.begin, list_text(list.shape) + " has no element " + std::to_string(tree.count),
@@ -205,7 +206,7 @@ class Typer {
   /// A list has no order, and is neither true nor false as a whole.
   void expect_one(const Typed& operand, std::size_t place) {
     if (operand.is_list())
-      fail(place, list_text(operand.shape) + " cannot stand in a condition",
+      fail(place, list_text(operand.shape) + " cannot be used in a condition",
            "compare one number of it: `max(abs(x)) < 1`, `norm(x) < 1`, `x[0] < 1`");
   }
 
@@ -396,7 +397,7 @@ class Typer {
   void expect_number(const Typed& operand, std::size_t place) {
     if (operand.is_condition)
       fail(place, "expected a number, found true or false",
-           "make a number of it: `where(x < 1, 1, 0)`");
+           "convert it to a number: `where(x < 1, 1, 0)`");
   }
   void expect_condition(const Typed& operand, std::size_t place) {
     if (!operand.is_condition)

@@ -28,7 +28,7 @@ std::string read_key(const std::string& path, std::string& key) {
   const bool is_file = fstat(file, &status) == 0 && S_ISREG(status.st_mode);
   const ssize_t size = is_file ? ::read(file, text.data(), text.size()) : 0;
   ::close(file);
-  if (!is_file) return about(path) + "it is no file";
+  if (!is_file) return about(path) + "it is not a file";
   if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0)
     return about(path) + "others can read it, or write it\nhelp: chmod 600 " + path;
   key.assign(text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
@@ -37,7 +37,7 @@ std::string read_key(const std::string& path, std::string& key) {
   const bool is_printable =
       std::all_of(key.begin(), key.end(), [](char c) { return c > ' ' && c <= '~'; });
   if (key.size() >= kLeastKey && key.size() <= kMostKey && is_printable) return {};
-  return about(path) + "its first line is no key of " + std::to_string(kLeastKey) + " to " +
+  return about(path) + "its first line is not a key of " + std::to_string(kLeastKey) + " to " +
          std::to_string(kMostKey) +
          " printable characters\nhelp: openssl rand -hex 32 > FILE makes a good one";
 }

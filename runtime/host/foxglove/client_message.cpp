@@ -123,7 +123,7 @@ bool read_u32(std::string_view bytes, std::size_t& at, std::uint32_t& value) {
 
 ClientMessage read_client_text(std::string_view text) {
   const auto object = read_json(text);
-  if (!object || object->kind != Json::Kind::object) return wrong("this is no object of JSON");
+  if (!object || object->kind != Json::Kind::object) return wrong("this is not a JSON object");
   const Json* const op = object->find("op");
   if (op == nullptr || op->kind != Json::Kind::text) return wrong("there is no `op`");
   for (const std::string_view name : kUnsupported) {

@@ -374,7 +374,7 @@ void FoxgloveServer::idle() {
   answer_calls();
   send_time();
   if (steering_ != nullptr) {
-    if (steering_->release(Steering::kNobody)) tell_parameters({});
+    if (steering_->release(Steering::kNoClient)) tell_parameters({});
     const std::uint64_t version = steering_->version();
     const Clock::time_point now = Clock::now();
     if (version != sent_version_ && version % 2 == 0 && now - sent_parameters_ > 50ms) {

@@ -22,7 +22,7 @@ struct ParameterValue {
   std::vector<double> numbers;
 };
 
-/// Messages in JSON that are no channel of the graph.
+/// Messages in JSON that are not a channel of the graph.
 struct Topic {
   std::string name, schema_name;
   std::string schema;  // JSON Schema

@@ -14,7 +14,7 @@ namespace eagerx::foxglove {
 class Steering {
  public:
   /// Whose values are those of no client any more.
-  static constexpr web_socket::ClientId kNobody = ~web_socket::ClientId{0};
+  static constexpr web_socket::ClientId kNoClient = ~web_socket::ClientId{0};
 
   virtual ~Steering() = default;
 

@@ -113,8 +113,7 @@ bool Identification::find(double tick_s, double longest_delay_s, std::string& pr
   for (std::size_t a = 0; a < experiment_.actuators().size() && numbers; ++a)
     numbers = find_delay(a, most, solver, trial);
   if (!numbers || !solver.refine(trial)) {
-    problem =
-        "error: the simulation does not give numbers\nhelp: are the ranges of the graph too wide?";
+    problem = "error: the simulation is not finite\nhelp: narrow the ranges of the graph";
     return false;
   }
   const std::vector<double> deviations = solver.deviations(trial);

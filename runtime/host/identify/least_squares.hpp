@@ -133,7 +133,7 @@ class LeastSquares {
   std::vector<double> least_;                 // smallest deviation of each group: its resolution
   std::vector<bool> counts_;                  // of each group
   std::vector<std::vector<double>> columns_;  // derivatives: states, then parameters
-  bool has_fitted_ = false;                   // so that states are no first guesses
+  bool has_fitted_ = false;                   // so that states are not first guesses
   std::vector<double> last_;                  // residuals
 };
 

@@ -41,24 +41,24 @@ bool read_digits(std::string_view text, Key& key) {
 
 /// The problem with the permissions of the file `path`.
 std::string problem_of_rights(const std::string& path, const struct stat& status) {
-  if (!S_ISREG(status.st_mode)) return "it is no file" + std::string(kMakeOne);
+  if (!S_ISREG(status.st_mode)) return "it is not a file" + std::string(kMakeOne);
   if (status.st_uid != geteuid())
-    return "it belongs to another user\nhelp: each user has a copy, with `install -m 600 FILE "
+    return "it belongs to another user\nhelp: make a copy for each user: `install -m 600 FILE "
            "COPY`";
   if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0)
     return "others can read it, or write it\nhelp: chmod 600 " + path +
-           "; if somebody may have read it, take a new key";
+           "; if others may have read it, take a new key";
   return {};
 }
 
 std::string problem_of_text(std::string_view text, Key& key) {
   if (text.size() != kTextBytes)
-    return "it is no key: it has " + std::to_string(text.size()) +
+    return "it is not a key: it has " + std::to_string(text.size()) +
            (text.size() > kTextBytes ? " bytes or more" : " bytes") + ", a key has " +
            std::to_string(kTextBytes) + kMakeOne;
   if (!text.starts_with(kTitle) || text.back() != '\n' ||
       !read_digits(text.substr(kTitle.size()), key))
-    return "it is no key: a key is a line `" + std::string(kTitle) + "` and 64 of the digits " +
+    return "it is not a key: a key is a line `" + std::string(kTitle) + "` and 64 of the digits " +
            std::string(kDigits) + kMakeOne;
   return {};
 }

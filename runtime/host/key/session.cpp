@@ -140,7 +140,7 @@ void Greeting::send_proof(std::size_t at) {
   send_size_ = at + kProofBytes;
 }
 
-/// False: no numbers that anybody draws.
+/// False: no peer generates such a number.
 bool Greeting::make_keys(const std::uint8_t* other) {
   // What we sent, sent back.
   if (std::equal(open_.begin(), open_.end(), other)) return false;

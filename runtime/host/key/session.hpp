@@ -82,7 +82,8 @@ class Greeting {
   void sent() { send_size_ = 0; }
   /// How many bytes are missing until something happens; 0: nothing more is read.
   std::size_t wanted() const { return is_done_ ? 0 : await_size_ - taken_size_; }
-  /// At most wanted() bytes. False: who sent this has not the key, or sends what another said.
+  /// At most wanted() bytes. False: the sender does not have the key, or repeats data of another
+  /// peer.
   bool take(Bytes bytes);
   bool is_done() const { return is_done_; }
 

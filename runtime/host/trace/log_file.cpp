@@ -405,7 +405,7 @@ std::optional<Log> read_log_file(const std::string& path, std::string& problem) 
   // A pipe without a writer, or a device, would be read for ever.
   struct stat status {};
   if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
-    return fail(S_ISDIR(status.st_mode) ? std::strerror(EISDIR) : "it is no file");
+    return fail(S_ISDIR(status.st_mode) ? std::strerror(EISDIR) : "it is not a file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

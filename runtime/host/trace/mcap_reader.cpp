@@ -32,7 +32,7 @@ bool take_text(std::string_view& from, std::string_view& text) {
 bool McapReader::read(std::string_view& bytes) {
   if (!has_magic_) {
     if (bytes.substr(0, kFileMagic.size()) != kFileMagic.substr(0, bytes.size()))
-      return fail("it is no MCAP file");
+      return fail("it is not an MCAP file");
     if (bytes.size() < kFileMagic.size()) return true;
     bytes.remove_prefix(kFileMagic.size());
     has_magic_ = true;

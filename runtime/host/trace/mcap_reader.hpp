@@ -36,7 +36,7 @@ class McapReader {
   explicit McapReader(McapListener& listener) : listener_(listener) {}
 
   /// Takes all complete records from the front of `bytes`, whose rest is to come again with what
-  /// follows. False: it is no MCAP file, or a part is wrong: problem().
+  /// follows. False: it is not an MCAP file, or a part is wrong: problem().
   bool read(std::string_view& bytes);
   /// Whether the end of the data was read: what follows are indexes.
   bool is_complete() const { return is_complete_; }

@@ -307,7 +307,7 @@ int run(const char* board) {
   console.send_to(options.output);
   if (usage != kDone) return console.flush(), usage;
   if (!calculates_as_everywhere()) {
-    console.text("error: this board does not keep denormal numbers, or rounds otherwise\n");
+    console.text("error: this board flushes denormal numbers, or does not round to nearest\n");
     return console.flush(), kSelfTestFailed;
   }
   if (!Graph::policies_answer()) {

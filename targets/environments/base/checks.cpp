@@ -25,7 +25,7 @@ void RightFloats::set_right() {
   changed_ = true;
   if (!calculates_as_everywhere()) {
     std::fesetenv(&callers_);
-    refuse("this processor takes denormal numbers for zero, or rounds otherwise");
+    refuse("this processor flushes denormal numbers to zero, or does not round to nearest");
   }
 }
 

@@ -91,7 +91,7 @@ Journal::Found Journal::resume(const Plan& plan, Results& results) {
   open(0);
   const std::string bytes = client::read_file(path_);
   if (!bytes.starts_with(kTitle)) {
-    throw Problem(kInputOutput, "`" + path_ + "` is no checkpoint of a campaign",
+    throw Problem(kInputOutput, "`" + path_ + "` is not a checkpoint of a campaign",
                   "name the file that an earlier campaign had as `--checkpoint`");
   }
   if (!bytes.starts_with(header_)) {

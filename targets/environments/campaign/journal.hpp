@@ -32,7 +32,7 @@ class Journal {
     bool is_cut_off = false;        // they are the end of the file, as after a kill
   };
   /// Reads what is there into `results` and appends to it. A damaged file is written anew, with
-  /// what is good of it. Throws Problem if it is no journal, or of another campaign.
+  /// what is good of it. Throws Problem if it is not a journal, or of another campaign.
   Found resume(const Plan& plan, Results& results);
   /// By one thread at a time. Throws Problem if it cannot be written.
   void add(const std::string& record);

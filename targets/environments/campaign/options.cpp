@@ -32,7 +32,7 @@ Variation variation(const std::string& text) {
 target::Fault fault(const std::string& text) {
   const auto result = target::parse_fault(text);
   if (!result) {
-    throw client::Problem(client::kUsage, "`" + text + "` is no fault",
+    throw client::Problem(client::kUsage, "`" + text + "` is not a fault",
                           std::string("write ") + target::kFaultForms);
   }
   return *result;

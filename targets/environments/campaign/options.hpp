@@ -25,7 +25,7 @@ struct Options {
   bool is_quiet = false;
   bool wants_help = false;
   bool only_checks = false;  // options and the places of files; there is no library yet
-  std::string describes;     // what it will say of its graph; empty: that is not looked at
+  std::string describes;     // what it will say of its graph; empty: that is ignored
 };
 
 /// Throws Problem with kUsage.

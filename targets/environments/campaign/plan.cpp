@@ -29,7 +29,7 @@ using client::Space;
   const std::string help = !near.empty() ? near
                            : names.empty()
                                ? "this graph has nothing to vary; " + write
-                               : fmt::format("there is {}; {}", fmt::join(names, ", "), write);
+                               : fmt::format("available: {}; {}", fmt::join(names, ", "), write);
   throw Problem(kProblems, fmt::format("`{}` cannot be varied", name), help);
 }
 

@@ -40,14 +40,14 @@ const std::vector<Value>& list(const Value& of, const char* name) {
 std::size_t whole(double number) {
   constexpr double kEnd = 9007199254740992.0;  // 2^53
   if (number < 0.0 || number >= kEnd || number != std::floor(number))
-    not_understood("a length or a count is no whole number");
+    not_understood("a length or a count is not a whole number");
   return static_cast<std::size_t>(number);
 }
 std::vector<std::string> texts(const Value& of, const char* name) {
   std::vector<std::string> result;
   for (const Value& each : list(of, name)) {
     if (!each.is(Kind::text))
-      not_understood(std::string("`") + name + "` has something that is no text");
+      not_understood(std::string("`") + name + "` has something that is not text");
     result.push_back(each.text);
   }
   return result;
@@ -72,7 +72,7 @@ std::vector<Space> spaces(const Value& of, const char* name) {
     const std::vector<Value>& shape = list(one, "shape");
     Space space{text(one, "name"), text(one, "dtype"), 1, {}, {}, shape.empty()};
     for (const Value& length : shape) {
-      if (!length.is(Kind::number)) not_understood("`shape` has something that is no number");
+      if (!length.is(Kind::number)) not_understood("`shape` has something that is not a number");
       space.size *= whole(length.number);
     }
     space.low = bounds(one, "low", -kInfinity, space.size);
@@ -131,7 +131,7 @@ std::vector<std::string> column_names(const std::vector<Space>& states) {
 Description read_description(std::string_view description) {
   constexpr std::size_t kMostValues = 50'000'000;  // two bounds for each number of an image
   const auto read = host::read_json(description, kMostValues);
-  if (!read) not_understood("it is no JSON");
+  if (!read) not_understood("it is not JSON");
   const Value& all = *read;
   Description result;
   result.graph = text(all, "graph");

@@ -66,7 +66,7 @@ std::string Environments::stepping() const {
 void* Library::address(const char* name) const {
   void* const found = dlsym(library_, name);
   if (found != nullptr) return found;
-  throw Problem(kInputOutput, "`" + path_ + "` is no library of environments: it has no " + name,
+  throw Problem(kInputOutput, "`" + path_ + "` is not a library of environments: it has no " + name,
                 "make one with `eagerx-gen generate GRAPH.yaml --target environments`");
 }
 

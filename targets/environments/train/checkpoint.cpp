@@ -111,7 +111,7 @@ struct Parts {
 
 Parts parts_of(std::string_view bytes, const std::string& name) {
   if (!bytes.starts_with(kKind))
-    throw Problem(kInputOutput, "`" + name + "` is no checkpoint", kOwnFile);
+    throw Problem(kInputOutput, "`" + name + "` is not a checkpoint", kOwnFile);
   if (!bytes.starts_with(kFirstLine))
     throw Problem(kInputOutput, "`" + name + "` was written by another version", kOwnFile);
   std::size_t position = kFirstLine.size();

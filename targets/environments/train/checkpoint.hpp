@@ -29,7 +29,7 @@ struct Score {
 struct Best {
   std::vector<float> parameters;  // folded; empty: none was evaluated
   Score seen;                     // of the evaluation that each policy has
-  /// Of that and those that only what seems good has; a return that is no number: it has none.
+  /// Of that and those that only what seems good has; a return that is not a number: it has none.
   Score confirmed{0, std::numeric_limits<double>::quiet_NaN()};
 
   bool is_confirmed() const { return !std::isnan(confirmed.mean_return); }

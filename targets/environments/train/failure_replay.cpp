@@ -22,7 +22,7 @@ std::string wrong_head(const std::vector<std::string_view>& head, const Descript
                                          "success", "terminated", "truncated"};
   if (head.size() < std::size(kFirst) ||
       !std::equal(std::begin(kFirst), std::end(kFirst), head.begin()))
-    return "is no table of a campaign";
+    return "is not a table of a campaign";
   const std::vector<std::string> states = client::column_names(description.states);
   if (states.empty()) return "says nothing of starts: the graph has no states";
   const auto* column = head.data() + std::size(kFirst);
@@ -52,7 +52,7 @@ FailureReplay::FailureReplay(std::string_view text, const std::string& name,
   const auto refuse = [&](const std::string& what) {
     throw Problem(kInputOutput, fmt::format("`{}` {}", name, what), kOwnTable);
   };
-  if (!text.ends_with('\n')) refuse("is no table of a campaign, or cut off");
+  if (!text.ends_with('\n')) refuse("is not a table of a campaign, or cut off");
   text.remove_suffix(1);
   constexpr std::size_t kSuccess = 3;  // column
   std::size_t number = 0, columns = 0;
@@ -66,11 +66,11 @@ FailureReplay::FailureReplay(std::string_view text, const std::string& name,
     }
     const bool is_row =
         cells.size() == columns && (cells[kSuccess] == "0" || cells[kSuccess] == "1");
-    if (!is_row) refuse(fmt::format("is damaged: line {} is no run", number));
+    if (!is_row) refuse(fmt::format("is damaged: line {} is not a run", number));
     for (std::size_t i = columns - width_; i < columns && cells[kSuccess] == "0"; ++i) {
       float value = 0.0F;
       if (!read_cell(cells[i], value))
-        refuse(fmt::format("is damaged: line {}: `{}` is no number", number, cells[i]));
+        refuse(fmt::format("is damaged: line {}: `{}` is not a number", number, cells[i]));
       states_.push_back(value);
     }
   }

@@ -239,14 +239,14 @@ void check(const Settings& settings) {
                     fmt::format("n_envs: {} is neither 8, 16, 32, 64 nor a multiple of {}",
                                 settings.n_envs, kRow));
   if (settings.sac.batch_size % kRow != 0)
-    refuse_settings({"batch_size"}, fmt::format("batch_size: {} is no multiple of {}",
+    refuse_settings({"batch_size"}, fmt::format("batch_size: {} is not a multiple of {}",
                                                 settings.sac.batch_size, kRow));
   const bool remembers = settings.rnn != Memory::none;
   const std::size_t steps = remembers ? settings.bptt_steps : 1;
   if (settings.n_steps % steps != 0)
     refuse_settings(
         {"n_steps", "bptt_steps"},
-        fmt::format("n_steps: {} is no multiple of bptt_steps, {}", settings.n_steps, steps));
+        fmt::format("n_steps: {} is not a multiple of bptt_steps, {}", settings.n_steps, steps));
   if (samples % (kRow * steps) != 0)
     refuse_settings({"n_steps", "n_envs", "bptt_steps"},
                     fmt::format("n_steps: {} of {} environments are {} steps, no multiple of {}{}",

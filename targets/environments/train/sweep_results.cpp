@@ -90,7 +90,7 @@ std::vector<SweepRow> SweepResults::read() const {
     const std::size_t end = text.find('\n', at);
     SweepRow row;
     if (end == std::string::npos || !read_row(std::string_view(text).substr(at, end - at), row))
-      refuse(fmt::format("is damaged: line {} is no result", number));
+      refuse(fmt::format("is damaged: line {} is not a result", number));
     rows.push_back(std::move(row));
     at = end + 1;
   }

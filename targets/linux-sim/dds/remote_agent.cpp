@@ -179,7 +179,8 @@ std::uint64_t* RemoteAgent::wrong_with(const Field& field, std::span<const doubl
 void RemoteAgent::look_for_strangers() {
   for (const std::string& topic : exchange_->strangers()) {
     ++strangers_;
-    stranger_ = "\nnote: what somebody writes to `" + topic + "` is no sensor_msgs/JointState";
+    stranger_ =
+        "\nnote: what another program writes to `" + topic + "` is not a sensor_msgs/JointState";
   }
 }
 
@@ -202,7 +203,7 @@ void RemoteAgent::finish(Summary& summary) {
   add("agent: actions of no step", others_);
   add("agent: actions of another length", lengths_);
   add("agent: actions not finite", not_finite_);
-  add("agent: actions that are no numbers of their type", not_whole_);
+  add("agent: actions that are not numbers of their type", not_whole_);
   add("agent: actions out of their space", beyond_);
   add("agent: writers of another type", strangers_);
 }

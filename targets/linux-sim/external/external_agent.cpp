@@ -103,13 +103,14 @@ std::string ExternalAgent::open() {
   socklen_t size = sizeof type;
   if (getsockopt(socket_, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_SEQPACKET)
     return "error: " + std::to_string(socket_) +
-           " is no socket of type SOCK_SEQPACKET\nhelp: `--agent fd:N` is for a program that "
+           " is not a socket of type SOCK_SEQPACKET\nhelp: `--agent fd:N` is for a program that "
            "starts "
            "this one with an end of a socketpair, such as Python's `eagerx_gen.make(…, "
            "real_time_factor=1)`";
   fcntl(socket_, F_SETFD, FD_CLOEXEC);  // not for ffmpeg
   if (is_real_ && !facts_.safety.declared)
-    return "error: this program moves real hardware, and its graph does not say what is done when "
+    return "error: this program drives real hardware, and its graph does not define what happens "
+           "when "
            "the agent is late\nhelp: write `safety: {late: 3}` into the graph, or how many steps "
            "in "
            "a row may be without an action";

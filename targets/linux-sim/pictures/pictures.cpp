@@ -137,7 +137,7 @@ void PicturesOfRun::write_png(const std::string& path) {
 std::string PicturesOfRun::open_files(const std::string& path) {
   if (!read_names(path, studio_->names))
     return "error: `" + path +
-           "` is no name of pictures\nhelp: write one `%d` or such as `%04d` "
+           "` is not a name of pictures\nhelp: write one `%d` or such as `%04d` "
            "where their numbers are to stand";
   studio_->to_files = true;
   const auto folder = std::filesystem::path(path).parent_path();

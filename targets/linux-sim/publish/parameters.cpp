@@ -147,7 +147,7 @@ bool Parameters::release(ClientId client) {
   bool any = false;
   for (Known& each : known_) {
     if (each.wish != Remote::Wish::action || each.client != client || each.value.empty()) continue;
-    each.client = kNobody;
+    each.client = kNoClient;
     if (!remote_.set(each.wish, each.index, {})) continue;  // later, of no client
     each.value.clear();
     any = true;

@@ -24,7 +24,7 @@ class Parameters final : public foxglove::Steering {
   bool has(const std::string& name) const override;
   std::string set(ClientId client, const foxglove::ClientMessage::Parameter& wanted) override;
   /// Actions of a client that is gone are the agent's again. If there is no room for it now, they
-  /// are kNobody's.
+  /// are kNoClient's.
   bool release(ClientId client) override;
   std::uint64_t version() const override { return remote_.version(); }
   bool has_services() const override { return !is_real_; }

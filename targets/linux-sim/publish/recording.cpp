@@ -23,7 +23,8 @@ class McapSink final : public PublishSink {
              " channels\nhelp: `--trace`";
     if (!file_.open(to_.file, host::Writing::direct)) return problem();
     if (!file_.reserve())
-      return "error: `" + to_.file + "` is written by somebody else\nhelp: give each its own file";
+      return "error: `" + to_.file +
+             "` is written by another process\nhelp: give each its own file";
     mcap_.emplace(channels_);
     return {};
   }

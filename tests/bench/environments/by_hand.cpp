@@ -113,7 +113,7 @@ class ByHand {
     };
     State x = {{Real::load(&theta_[at]), Real::load(&omega_[at])}};
     for (int i = 0; i < Graph::kSubsteps; ++i) x = eagerx::models::rk4_step(f, x, Real(kStep));
-    if (ends) x = {{drawn(3.14F), drawn(9.0F)}};
+    if (ends) x = {{sampled(3.14F), sampled(9.0F)}};
     x[0].store(&theta_[at]);
     x[1].store(&omega_[at]);
     observe(x, row);
@@ -128,7 +128,7 @@ class ByHand {
       for (std::size_t k = 0; k < kObserved; ++k) row[i * kObserved + k] = columns[k][i];
     }
   }
-  Real drawn(float bound) {
+  Real sampled(float bound) {
     float numbers[kWidth];
     for (float& number : numbers) {  // xorshift32
       random_ ^= random_ << 13U;

@@ -1,9 +1,9 @@
 // The least that a step of CartPole costs: its model over SIMD registers, actions that are there as
 // numbers, rows of what a step gives, and nothing else. Where an episode ends another begins from a
-// state that is not drawn, at no cost but that of a choice. Prints environments, instruction set,
+// state that is not sampled, at no cost but that of a choice. Prints environments, instruction set,
 // registers a SIMD vector, steps/s on one core of this, steps/s of the library over those. In turn,
-// in one process. The library also draws states, counts steps, looks at actions, tells truncation,
-// and has each environment's parameters, as this has.
+// in one process. The library also samples states, counts steps, looks at actions, tells
+// truncation, and has each environment's parameters, as this has.
 #include <targets/environments/eagerx_environments.h>
 
 #include <algorithm>

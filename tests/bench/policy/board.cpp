@@ -20,14 +20,14 @@ bool same(float a, float b) {
 /// Layers and activations against plain loops over eagerx's functions: every bit.
 template <eagerx::Activation A, std::size_t In, std::size_t Out>
 bool check() {
-  bench::Draw draw;
+  bench::Sampler sampler;
   static eagerx::DenseWeights<In, Out> layer;
-  layer = bench::drawn<In, Out>(draw);
+  layer = bench::sampled<In, Out>(sampler);
   bool good = true;
   for (int round = 0; round < 50; ++round) {
     float x[In];
     float y[Out];
-    for (float& value : x) value = draw.next() * static_cast<float>(round);
+    for (float& value : x) value = sampler.next() * static_cast<float>(round);
     if (round == 1) x[In / 2] = __builtin_nanf("");
     if (round == 2) x[In / 2] = __builtin_inff();
     eagerx::dense<A>(layer, x, y, 0.5F);
@@ -100,8 +100,8 @@ void measure_branches() {
   using bench::Branches;
   static constexpr Branches::Weights kWeights = Branches::make();
   static float x[Branches::kHistory];
-  bench::Draw draw;
-  for (float& value : x) value = draw.next();
+  bench::Sampler sampler;
+  for (float& value : x) value = sampler.next();
   float y[Branches::kActions] = {};
   semihosting_write("branches_45_256_128_64_12 ");
   print(instructions([&] { Branches::run(kWeights, x, y); }));

@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-#include "draw.hpp"
+#include "sampler.hpp"
 
 namespace bench {
 
@@ -22,8 +22,8 @@ struct EigenMlp {
   Vector<B> b2;
 
   EigenMlp() {
-    Draw draw;
-    const auto next = [&] { return draw.next(); };
+    Sampler sampler;
+    const auto next = [&] { return sampler.next(); };
     w1 = Weights<A, 3>::NullaryExpr(next);
     w2 = Weights<B, A>::NullaryExpr(next);
     w3 = Weights<1, B>::NullaryExpr(next);

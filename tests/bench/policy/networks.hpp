@@ -1,4 +1,4 @@
-// The networks that are measured: weights drawn by a fixed rule, the same on every machine.
+// The networks that are measured: weights sampled by a fixed rule, the same on every machine.
 #pragma once
 
 #include <cstddef>
@@ -8,29 +8,29 @@
 #include <eagerx/policy/fast.hpp>
 #include <eagerx/policy/int8.hpp>
 
-#include "draw.hpp"
+#include "sampler.hpp"
 
 namespace bench {
 
 template <std::size_t In, std::size_t Out>
-constexpr eagerx::DenseWeights<In, Out> drawn(Draw& draw) {
+constexpr eagerx::DenseWeights<In, Out> sampled(Sampler& sampler) {
   eagerx::DenseWeights<In, Out> layer{};
   for (std::size_t out = 0; out < Out; ++out) {
-    layer.b[out] = draw.next();
-    for (std::size_t in = 0; in < In; ++in) layer.w[layer.index(out, in)] = draw.next();
+    layer.b[out] = sampler.next();
+    for (std::size_t in = 0; in < In; ++in) layer.w[layer.index(out, in)] = sampler.next();
   }
   return layer;
 }
 
 /// The same with weights of eight bits.
 template <std::size_t In, std::size_t Out>
-constexpr eagerx::Int8Weights<In, Out> drawn_int8(Draw& draw) {
+constexpr eagerx::Int8Weights<In, Out> sampled_int8(Sampler& sampler) {
   eagerx::Int8Weights<In, Out> layer{};
   for (std::size_t out = 0; out < Out; ++out) {
-    layer.b[out] = draw.next();
+    layer.b[out] = sampler.next();
     layer.scale[out] = 0x1p-9F;
     for (std::size_t in = 0; in < In; ++in) {
-      layer.w[layer.index(out, in)] = static_cast<std::int8_t>(draw.next() * 508.0F);
+      layer.w[layer.index(out, in)] = static_cast<std::int8_t>(sampler.next() * 508.0F);
     }
   }
   return layer;
@@ -45,8 +45,8 @@ struct Mlp {
     eagerx::DenseWeights<B, 1> third;
   };
   static constexpr Weights make() {
-    Draw draw;
-    return {drawn<3, A>(draw), drawn<A, B>(draw), drawn<B, 1>(draw)};
+    Sampler sampler;
+    return {sampled<3, A>(sampler), sampled<A, B>(sampler), sampled<B, 1>(sampler)};
   }
 
   [[gnu::noipa]] static void run(const Weights& weights, const float (&x)[3], float (&y)[1]) {
@@ -71,8 +71,8 @@ struct Mlp {
     eagerx::Int8Weights<B, 1> third;
   };
   static constexpr Int8 make_int8() {
-    Draw draw;
-    return {drawn_int8<3, A>(draw), drawn_int8<A, B>(draw), drawn_int8<B, 1>(draw)};
+    Sampler sampler;
+    return {sampled_int8<3, A>(sampler), sampled_int8<A, B>(sampler), sampled_int8<B, 1>(sampler)};
   }
   [[gnu::noipa]] static void run_int8(const Int8& weights, const float (&x)[3], float (&y)[1]) {
     float hidden1[A];
@@ -124,9 +124,10 @@ struct Branches {
     eagerx::DenseWeights<64, kActions> fourth;
   };
   static constexpr Weights make() {
-    Draw draw;
-    return {drawn<kHistory, 128>(draw), drawn<128, kLatent>(draw), drawn<kJoined, 256>(draw),
-            drawn<256, 128>(draw),      drawn<128, 64>(draw),      drawn<64, kActions>(draw)};
+    Sampler sampler;
+    return {sampled<kHistory, 128>(sampler), sampled<128, kLatent>(sampler),
+            sampled<kJoined, 256>(sampler),  sampled<256, 128>(sampler),
+            sampled<128, 64>(sampler),       sampled<64, kActions>(sampler)};
   }
 
   [[gnu::noipa]] static void run(const Weights& weights, const float (&x)[kHistory],

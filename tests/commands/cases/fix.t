@@ -19,7 +19,7 @@ A file that cannot be read keeps no other from being changed.
   $ eagerx-gen fix missing.yaml entities/two/manifest.yaml
   error[E0101]: cannot read `missing.yaml`: no such file or directory
    --> missing.yaml
-  help: there is `graph.yaml`
+  help: available: `graph.yaml`
   
   1 error
   entities/two/manifest.yaml:14: Change to `vectorized`

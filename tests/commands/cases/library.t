@@ -45,7 +45,7 @@ A header that a standalone tree would not have.
   1 error
   [1]
   $ [ ! -e alone ]
-A standalone tree in the folder of the library is no part of the library, also the second time.
+A standalone tree in the folder of the library is not a part of the library, also the second time.
   $ mkdir around && cp -r "$root/tests/data/library" around/entities
   $ sed 's#^library:.*#library: [.]#' "$root/tests/programs/own_library.yaml" >around/graph.yaml
   $ eagerx-gen around/graph.yaml --standalone -o around/out -q

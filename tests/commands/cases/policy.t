@@ -10,7 +10,7 @@ A policy instead of the graph's agent: as if the graph named it. (program.map sa
      |
   39 | agent: zero
      |        ^^^^
-  help: there is `swing_up.onnx`
+  help: available: `swing_up.onnx`
   
   1 error
   [3]
@@ -73,7 +73,7 @@ Its own first layer may normalize, which the file does not say.
   1 error
   [1]
   $ eagerx-gen policy golden "$policies/ppo_64.zip" --rows 0 -o no.csv
-  error: --rows: 0 is no whole number from 1 to 1000000
+  error: --rows: 0 is not a whole number from 1 to 1000000
   help: `eagerx-gen policy golden --help` lists the options
   [2]
   $ eagerx-gen policy golden "$policies/ppo_64.zip" --rows 5 --observations asked.csv -o no.csv
@@ -153,7 +153,7 @@ Two policies side by side.
   help: `eagerx-gen policy compare --help` lists the options
   [2]
   $ eagerx-gen policy compare "$policies/ppo_64.zip" --int8 --tolerance nan
-  error: --tolerance: nan is no number from 0 on
+  error: --tolerance: nan is not a number from 0 on
   help: `eagerx-gen policy compare --help` lists the options
   [2]
   $ eagerx-gen policy compare "$policies/ppo_64.zip" --int8 --actor a --actor b --actor c
@@ -162,7 +162,7 @@ Two policies side by side.
   [2]
   $ eagerx-gen policy compare "$policies/ppo_64.zip" no.onnx
   error[E0601]: cannot read policy `no.onnx`: no such file
-  help: there is `swing_up.onnx`
+  help: available: `swing_up.onnx`
   
   1 error
   [3]

@@ -42,7 +42,7 @@ Names of objects, nodes, actions and observations, and why others stay.
   help: a name has letters, digits and `_`, begins with a letter, and is not `actions`, `observations`, `engine` or `environment`
   [1]
   $ eagerx-gen rename robot.yaml actions.push "a b"
-  error: `a b` is no name
+  error: `a b` is not a name
   help: a name has letters, digits and `_`, and begins with no digit
   [1]
   $ eagerx-gen rename robot.yaml observations.v a

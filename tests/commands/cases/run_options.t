@@ -35,7 +35,7 @@ On boards:
   1 error
   [2]
   $ on_board mps2-an386 --steps 0
-  error[E0516]: `0` is no value of `--steps`
+  error[E0516]: `0` is not a value of `--steps`
   help: write `--steps N`, a whole number from 1 on
   
   1 error
@@ -47,7 +47,7 @@ On boards:
   1 error
   [2]
   $ on_board mps2-an386 --agent=csv
-  error[E0516]: `csv` is no value of `--agent`
+  error[E0516]: `csv` is not a value of `--agent`
   help: write `--agent policy|zero|random`
   
   1 error
@@ -92,7 +92,7 @@ On Linux, of a whole graph and of one with parts:
   1 error
   [2]
   $ on_linux --environment=-1
-  error[E0516]: `-1` is no value of `--environment`
+  error[E0516]: `-1` is not a value of `--environment`
   help: write `--environment N`, a whole number from 0 to 4294967295
   
   1 error

@@ -25,7 +25,7 @@ Wrong usage is answered with what would be right.
   [2]
   $ eagerx-gen new motor x
   error: kind: `motor` is not possible
-  help: there is board, engine, example, node, object, processor, project, reset-node
+  help: available: board, engine, example, node, object, processor, project, reset-node
   [2]
   $ eagerx-gen check x.yaml --real flot
   error: --real: `flot` is not possible
@@ -33,7 +33,7 @@ Wrong usage is answered with what would be right.
   [2]
   $ eagerx-gen policy
   error: `eagerx-gen policy` alone is not enough
-  help: there is info, test, golden, compare
+  help: available: info, test, golden, compare
   [2]
   $ eagerx-gen no.yaml
   error[E0101]: cannot read `no.yaml`: no such file or directory

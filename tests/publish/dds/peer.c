@@ -1,7 +1,7 @@
 // Another process with Cyclone DDS, made of its own headers and types:
 //   peer read DOMAIN TYPE=TOPIC...               prints messages until its standard input ends
 //   peer agent DOMAIN OBSERVATION ACTION FILE    answers each observation with a row of FILE
-//   peer nonsense DOMAIN OBSERVATION ACTION FILE the same, after what is no action
+//   peer nonsense DOMAIN OBSERVATION ACTION FILE the same, after what is not an action
 #include <dds/dds.h>
 #include <math.h>
 #include <poll.h>
@@ -148,7 +148,7 @@ static void answer(dds_entity_t writer, const Joints* to, double* numbers, uint3
   checked(dds_write(writer, &action));
 }
 
-/// Everything that is no action, with the time of one.
+/// Everything that is not an action, with the time of one.
 static void write_nonsense(dds_entity_t writer, const Joints* to) {
   double wrong[16] = {0};
   answer(writer, to, wrong, columns + 1, 0);

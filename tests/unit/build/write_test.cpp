@@ -247,7 +247,7 @@ TEST_F(WriteFiles, NamesThatLeaveTheFolderAreRefused) {
   }
 }
 
-TEST_F(WriteFiles, FoldersAndPipesThatNobodyReadsAreNoOutputs) {
+TEST_F(WriteFiles, FoldersAndPipesWithoutAReaderAreNoOutputs) {
   const std::string pipe = (folder_ / "pipe").string();
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   for (const std::string& path : {pipe, folder_.string()}) {
@@ -272,7 +272,7 @@ TEST_F(WriteFiles, OneFileIsWrittenWhereALinkLeads) {
   EXPECT_EQ(text_of("elsewhere.txt"), "after");
 }
 
-TEST_F(WriteFiles, OneFileIsWrittenBesideALeftover) {
+TEST_F(WriteFiles, OneFileIsWrittenNextToALeftover) {
   put("elsewhere.txt", "precious");
   fs::create_symlink(folder_ / "elsewhere.txt", folder_ / ".graph.yaml.eagerx-gen.new");
   EXPECT_TRUE(write_file((folder_ / "graph.yaml").string(), "name: new\n", diagnostics_));

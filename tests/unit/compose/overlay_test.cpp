@@ -33,7 +33,7 @@ constexpr const char* kBase =
     "nodes:\n"
     "  choice: {config: {value: 1, choice: [1]}}\n";
 
-TEST(Overlay, AnotherWayToDrawTakesThePlaceOfTheOneBelow) {
+TEST(Overlay, AnotherWayToSampleTakesThePlaceOfTheOneBelow) {
   const Overlaid all(kBase,
                      "objects: {robot: {states: {body.mass: {value: 1.0}, body.drag: {normal: "
                      "{mean: 0.1, std: 0.1}}, speed: {value: 0}}}}");

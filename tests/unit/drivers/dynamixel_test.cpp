@@ -77,14 +77,14 @@ TEST(Dynamixel, TheHeaderInsideIsStuffedAndTakenOut) {
   std::int32_t counts = 0;
   EXPECT_EQ(DynamixelX(1).position(bus, counts), BusError::none);
   EXPECT_EQ(counts, static_cast<std::int32_t>(0xfffdffffU));
-  // FD FD that is no stuffing stays.
+  // FD FD that is not a stuffing stays.
   std::uint8_t parameters[4]{};
   const Bytes plain = status(0, {0xff, 0xfd, 0xfd, 0x01});
   EXPECT_EQ(dynamixel_status(plain.data(), plain.size(), 1, parameters, 4), BusError::none);
   EXPECT_EQ(Bytes(parameters, parameters + 4), (Bytes{0xff, 0xfd, 0xfd, 0x01}));
 }
 
-TEST(Dynamixel, ErrorsAreTold) {
+TEST(Dynamixel, ErrorsAreReported) {
   std::uint8_t parameters[4]{};
   const Bytes limit = status(0x06, {1, 2, 3, 4});
   EXPECT_EQ(dynamixel_status(limit.data(), limit.size(), 1, parameters, 4), BusError::refused);

@@ -58,7 +58,7 @@ TEST(TemplateFiles, ATagAloneOnItsLineLeavesNoLine) {
   EXPECT_EQ(templates.rendered("all", view_of_items()), "{\n  a;\n\n  b;\n\n}\n");
 }
 
-TEST(TemplateFiles, TemplatesIncludeThoseBesideThem) {
+TEST(TemplateFiles, TemplatesIncludeThoseNextToThem) {
   const Templates templates;
   templates.file("all", "{\n{{#items}}\n{{>one}}\n{{/items}}\n}\n");
   templates.file("one", "  {{name}};\n{{>two}}\n");

@@ -85,7 +85,7 @@ TEST(Columns, AreInTheOrderOfTheirNames) {
   EXPECT_EQ(columns.order(), (std::vector<std::size_t>{1, 0}));
 }
 
-/// [mass, position 0, position 1]: the mass is drawn and can be tuned, the position is neither.
+/// [mass, position 0, position 1]: the mass is sampled and can be tuned, the position is neither.
 StateRows two_states() {
   StateRows states;
   states.add({"position", {-1, -1}, {1, 1}, false, false});

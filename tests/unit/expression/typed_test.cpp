@@ -197,34 +197,36 @@ TEST(TaskExpression, MistakesHaveTheirPlaceAndHelp) {
   EXPECT_EQ(number("x y"), "2: expected the end, found `y`");
   EXPECT_EQ(number("x^4"), "2: an exponent is 2 or 3 (write others as `pow(x, y)`)");
   EXPECT_EQ(number("x^2^3"), "3: powers cannot be chained (write `(x^2)^3`, or `pow(x, 6)`)");
-  EXPECT_EQ(number("2 * xx"), "4: unknown name `xx` (there is x, y, u, v, m, hit, time, pi)");
+  EXPECT_EQ(number("2 * xx"), "4: unknown name `xx` (available: x, y, u, v, m, hit, time, pi)");
   EXPECT_EQ(number("tme"), "0: unknown name `tme` (did you mean `time`?)");
   EXPECT_EQ(number("pendulum.theta"),
             "0: unknown name `pendulum.theta` (give it a name under `inputs:`: `x: "
             "pendulum.theta`)");
   EXPECT_EQ(number("sine(x)"), "0: unknown function `sine` (did you mean `sin`?)");
-  EXPECT_EQ(number("v"),
-            "0: this is a list of shape [3], not one number (make one number of it with sum, norm, "
-            "mean, min or max, or take an element: `x[0]`)");
+  EXPECT_EQ(
+      number("v"),
+      "0: this is a list of shape [3], not one number (reduce it to one number with sum, norm, "
+      "mean, min or max, or take an element: `x[0]`)");
   EXPECT_EQ(number("sum(v + m)"),
             "8: a list of shape [2, 2] does not go with a list of shape [3] (lists go together "
             "element by element: they need one shape)");
   EXPECT_EQ(number("v[3]"),
             "0: a list of shape [3] has no element 3 (elements are counted from 0, row by row: 0 "
             "to 2)");
-  EXPECT_EQ(number("x[0]"), "0: this is no list, so it has no elements (write it without `[0]`)");
+  EXPECT_EQ(number("x[0]"),
+            "0: this is not a list, so it has no elements (write it without `[0]`)");
   EXPECT_EQ(number("v[x]"), "2: expected the number of an element, from 0");
   EXPECT_EQ(number("hit"),
-            "0: expected a number, found true or false (make a number of it: `where(x < 1, 1, "
+            "0: expected a number, found true or false (convert it to a number: `where(x < 1, 1, "
             "0)`)");
   EXPECT_EQ(number("1 + (x < y)"),
-            "5: expected a number, found true or false (make a number of it: `where(x < 1, 1, "
+            "5: expected a number, found true or false (convert it to a number: `where(x < 1, 1, "
             "0)`)");
   EXPECT_EQ(number("before(x + 1)"),
             "7: `before` takes the name of an input (write `before(x)[0]` for an element, "
             "`before(x)^2` for a square)");
   EXPECT_EQ(number("before(hit)"),
-            "7: expected a number, found true or false (make a number of it: `where(x < 1, 1, "
+            "7: expected a number, found true or false (convert it to a number: `where(x < 1, 1, "
             "0)`)");
   EXPECT_EQ(number("atan2(x)"), "0: `atan2` takes 2 arguments, not 1 (write `atan2(y, x)`)");
   EXPECT_EQ(number("abs(x, y)"), "0: `abs` takes 1 argument, not 2 (write `abs(x)`)");
@@ -234,9 +236,9 @@ TEST(TaskExpression, MistakesHaveTheirPlaceAndHelp) {
   EXPECT_EQ(condition("x and hit"),
             "0: expected true or false, found a number (compare it: `x > 0`)");
   EXPECT_EQ(condition("abs(v) < 1"),
-            "0: a list of shape [3] cannot stand in a condition (compare one number of it: "
+            "0: a list of shape [3] cannot be used in a condition (compare one number of it: "
             "`max(abs(x)) < 1`, `norm(x) < 1`, `x[0] < 1`)");
-  EXPECT_EQ(number("1e999"), "0: `1e999` is no number");
+  EXPECT_EQ(number("1e999"), "0: `1e999` is not a number");
   EXPECT_EQ(number(std::string(200, '(') + "x" + std::string(200, ')')), "33: nested too deeply");
   EXPECT_EQ(number("x" + std::string(1000, ' ')), "0: an expression has at most 1000 characters");
 }

@@ -49,7 +49,7 @@ TEST(Architectures, AnswerAsTorchDoes) {
   }
 }
 
-TEST(Architectures, ValuesMayBeInAFileBesideTheOnnxFile) {
+TEST(Architectures, ValuesMayBeInAFileNextToTheOnnxFile) {
   Diagnostics diagnostics;
   const auto rows =
       read_golden(std::string(kArchitectures) + "scaled_golden.npz", "rows", {}, diagnostics);
@@ -136,7 +136,7 @@ TEST(Architectures, AStateThatDoesNotComeBackIsRefused) {
 }
 
 /// ML-Agents' Hallway: `obs_0`, `obs_1` and a memory.
-TEST(Architectures, ASecondObservationBesideAMemoryIsNamed) {
+TEST(Architectures, ASecondObservationNextToAMemoryIsNamed) {
   onnx::ModelProto model = model_of("gru.onnx");
   onnx::GraphProto& graph = *model.mutable_graph();
   onnx::ValueInfoProto& input = *graph.add_input();

@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
         Foreign{"zipped_onnx", test::zip({{"model/policy.onnx", "x"}}),
                 "a zip archive with ONNX files in it", kUnpack},
         Foreign{"zip", test::zip({{"holiday.jpg", "x"}}),
-                "a zip archive that is no policy: its first entry is `holiday.jpg`",
+                "a zip archive that is not a policy: its first entry is `holiday.jpg`",
                 "name the file that `model.save` or `torch.save` wrote"}),
     [](const auto& test) { return test.param.name; });
 

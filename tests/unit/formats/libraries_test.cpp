@@ -247,7 +247,7 @@ TEST(RlGames, SeveralChoicesAtOnceAreRefusedByName) {
   EXPECT_THAT(diagnostic.message, HasSubstr("MultiDiscrete"));
 }
 
-TEST(RlGames, StatisticsBesideTheModelCountToo) {
+TEST(RlGames, StatisticsNextToTheModelCountToo) {
   EXPECT_TRUE(read_library("rl_games_amp.pth").normalization.has_value());
 }
 

@@ -75,7 +75,7 @@ TEST(OnnxErrors, OtherFormatsAreNamed) {
 
 TEST(OnnxErrors, GarbageIsNotOnnx) {
   expect_named(read_bad("name: pendulum\nrate: 30\n"), "E0603", "is a text file");
-  expect_named(read_bad(std::string(1000, '\xff')), "E0603", "in none of the formats");
+  expect_named(read_bad(std::string(1000, '\xff')), "E0603", "none of the supported formats");
 }
 
 TEST(OnnxErrors, TruncatedFile) {

@@ -123,7 +123,8 @@ TEST(OnnxQuantized, WhatIsRefusedSaysWhy) {
   rows.add_tensor("scales", {2}, {0.5F, 0.25F});
   rows.add_node("QuantizeLinear", {"observation", "scales"}, "whole");
   rows.add_node("DequantizeLinear", {"whole", "scales"}, "action");
-  EXPECT_THAT(read_bad(rows.bytes()).message, HasSubstr("several scales of what is no constant"));
+  EXPECT_THAT(read_bad(rows.bytes()).message,
+              HasSubstr("several scales of what is not a constant"));
 
   OnnxBuilder wide(2, 13);
   wide.add_tensor("scale", {}, {0.5F});

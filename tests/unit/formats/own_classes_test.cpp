@@ -1,4 +1,4 @@
-// Zips whose policy class is no library's, and whose actions were normalised in training
+// Zips whose policy class is not a library's, and whose actions were normalised in training
 // (tests/data/policy/make_own_classes.py), against torch.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -81,7 +81,7 @@ TEST(SaidSizes, ThatDoNotFitAreRefused) {
   expect_said_refused(file, with_sizes({3, 8}), "E0618", "multiplies 11 values", "`input_sizes`");
   expect_said_refused(file, with_sizes({10}), "E0755", "takes 2 inputs, not 1: `command`, `obs`",
                       "one size for each");
-  expect_said_refused("libraries/named_trunk.pth", with_sizes({4}), "E0626", "is no TorchScript",
+  expect_said_refused("libraries/named_trunk.pth", with_sizes({4}), "E0626", "is not TorchScript",
                       "leave the graph's `input_sizes` out");
 }
 
@@ -120,7 +120,7 @@ TEST(SaidLayers, ThatAreNotThereAreRefused) {
   ReadContext twice = with_layers({"net.0", "elu", "net.2", "elu", "mean_head"});
   twice.output_activation = Activation::tanh;
   expect_said_refused(file, twice, "E0626", "another activation", "leave `output_activation` out");
-  expect_said_refused("ppo_64.onnx", with_layers({"net.0"}), "E0626", "is no table of tensors",
+  expect_said_refused("ppo_64.onnx", with_layers({"net.0"}), "E0626", "is not a table of tensors",
                       "leave the graph's `layers` out");
   expect_said_refused("torchscript/joined_scripted.pt", with_layers({"actor"}), "E0626",
                       "is TorchScript", "leave the graph's `layers` out");

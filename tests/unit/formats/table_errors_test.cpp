@@ -131,7 +131,7 @@ TEST(TableErrors, OneOfSeveralActorsMayBeSaid) {
   EXPECT_FALSE(read_actor(bytes, "third", diagnostics).has_value());
   expect_problem(diagnostics.all().back(), "E0625", "begins with `third.`; its first one is `agen");
   EXPECT_FALSE(read_actor(test::two_layers().bytes(), "first", diagnostics).has_value());
-  expect_problem(diagnostics.all().back(), "E0625", "no table of tensors");
+  expect_problem(diagnostics.all().back(), "E0625", "not a table of tensors");
 }
 
 TEST(TableErrors, OneTensorOfArsIsItsOldLinearPolicy) {
@@ -195,7 +195,7 @@ TEST(TableErrors, ObservationsMayHaveSizes) {
   EXPECT_EQ(parts[1].size, 1U);
 }
 
-TEST(TableErrors, ActivationThatNobodySays) {
+TEST(TableErrors, UnstatedActivation) {
   std::vector<NamedValues> tensors;
   add_linear(tensors, "actor.0", 3, 4);
   add_linear(tensors, "actor.2", 4, 1);
@@ -269,7 +269,7 @@ TEST(Archive, DamageIsRefused) {
                  "E0621", "`data` is missing");
 }
 
-TEST(TableErrors, WhatNobodyReadMayBePartOfTheFunction) {
+TEST(TableErrors, UnreadTensorsMayBePartOfTheFunction) {
   for (const char* name :
        {"encoder.0.weight", "actor.latent_pi.0.weight_g", "obs_mean", "actor.layer_norm.weight"}) {
     auto tensors = sac();

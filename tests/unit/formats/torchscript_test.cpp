@@ -123,7 +123,7 @@ TEST(TorchScript, LayersAreThoseOfTheModules) {
   EXPECT_EQ(lstm.layers[1].remembers(), 10U);
 }
 
-TEST(TorchScript, ResultsShareBuffersOnlyWhereNobodyNeedsThem) {
+TEST(TorchScript, ResultsShareOnlyUnneededBuffers) {
   const Network network = read_good(bytes_of("branches_scripted.pt"));
   ASSERT_FALSE(network.is_chain());
   const BufferPlan plan = plan_buffers(network);
@@ -233,7 +233,7 @@ TEST(TorchScript, WhatIsNotUnderstoodIsRefusedByItsLine) {
   expect_refused(body_with("z = torch.add(y, torch.mul(torch.randn_like(y), torch.log(y)))"),
                  "E0754", "its code samples random numbers (`randn_like`)");
   expect_refused(with_body("    return x\n", "x: Tensor,\n    hc: Tuple[Tensor, Tensor]"), "E0754",
-                 "takes `hc`, which is no tensor but Tuple[Tensor,Tensor]");
+                 "takes `hc`, which is not a tensor but Tuple[Tensor,Tensor]");
 }
 
 /// rsl_rl's deviation that depends on the state: means and deviations are two rows.

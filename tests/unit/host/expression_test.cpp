@@ -136,19 +136,20 @@ TEST(Calculation, WrongOnesHaveAPlace) {
             "1: expected true or false, found a number (compare it: `x > 0`)");
   EXPECT_EQ(
       problem("1 + (2 > 1)"),
-      "6: expected a number, found true or false (make a number of it: `where(x < 1, 1, 0)`)");
+      "6: expected a number, found true or false (convert it to a number: `where(x < 1, 1, 0)`)");
   EXPECT_EQ(problem("abs(1, 2)"), "1: `abs` takes 1 argument, not 2 (write `abs(x)`)");
   EXPECT_EQ(problem("1 + a.z"), "5: unknown name `a.z` (did you mean `a.x`?)");
-  EXPECT_EQ(problem("a.y"),
-            "1: this is a list of shape [2], not one number (make one number of it with sum, norm, "
-            "mean, min or max, or take an element: `x[0]`)");
+  EXPECT_EQ(
+      problem("a.y"),
+      "1: this is a list of shape [2], not one number (reduce it to one number with sum, norm, "
+      "mean, min or max, or take an element: `x[0]`)");
   EXPECT_EQ(problem("a.x[1]"),
             "1: a list of shape [1] has no element 1 (elements are counted from "
             "0, row by row: 0 to 0)");
   EXPECT_EQ(problem("a.y[x]"), "5: expected the number of an element, from 0");
   EXPECT_EQ(problem(""), "1: expected a value, found the end");
-  EXPECT_EQ(problem("007"), "1: `007` is no number");
-  EXPECT_EQ(problem("1e999"), "1: `1e999` is no number");
+  EXPECT_EQ(problem("007"), "1: `007` is not a number");
+  EXPECT_EQ(problem("1e999"), "1: `1e999` is not a number");
   EXPECT_NE(problem(std::string(10'000, '(')), "");
   EXPECT_NE(problem("1" + std::string(10'000, '+')), "");
 }

@@ -166,7 +166,7 @@ TEST_F(OutputFiles, WhatCannotBeReplacedAsItIsIsWrittenInto) {
   EXPECT_EQ(status("of_root").st_uid, 0U);
 }
 
-TEST_F(OutputFiles, AFileThatNobodyMayWriteStays) {
+TEST_F(OutputFiles, AReadOnlyFileStays) {
   make("kept", "before", 0444);
   EXPECT_EQ(write_whole(path("kept"), "after"), EACCES) << "for root, too";
   EXPECT_EQ(problem_of_output(path("kept")), EACCES);

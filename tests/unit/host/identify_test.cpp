@@ -205,7 +205,7 @@ struct FoundSwing {
   Delay delay;
 };
 
-/// What is found of a swing that is drawn. `noise`: standard deviation of the accelerometer.
+/// What is found of a swing that is sampled. `noise`: standard deviation of the accelerometer.
 FoundSwing identify_swing(unsigned seed, Seq late, double noise, const std::string& sensors) {
   constexpr std::array<Channel, 4> kOfSwing{{
       {"cart/acceleration/y", "float64", 1, 100, 1, Publisher::engine_node},

@@ -103,21 +103,21 @@ TEST_F(KeyFile, EveryOtherTextIsRefused) {
   const std::string good = text();
   for (std::size_t size = 0; size < good.size(); ++size) {
     write(good.substr(0, size));
-    EXPECT_EQ(problem().find("it is no key: it has " + std::to_string(size) + " bytes"), 0U);
+    EXPECT_EQ(problem().find("it is not a key: it has " + std::to_string(size) + " bytes"), 0U);
   }
   write(good + "\n");
-  EXPECT_EQ(problem().find("it is no key: it has 83 bytes or more"), 0U);
+  EXPECT_EQ(problem().find("it is not a key: it has 83 bytes or more"), 0U);
   for (std::size_t i = 0; i < good.size(); ++i) {
     std::string changed = good;
     changed[i] = 'G';
     write(changed);
-    EXPECT_EQ(problem().find("it is no key: a key is a line"), 0U) << i;
+    EXPECT_EQ(problem().find("it is not a key: a key is a line"), 0U) << i;
   }
-  EXPECT_EQ(read_key(folder, *std::make_unique<Key>()).find("it is no file"), 0U);
+  EXPECT_EQ(read_key(folder, *std::make_unique<Key>()).find("it is not a file"), 0U);
   unlink(path.c_str());
   EXPECT_EQ(problem().find("No such file or directory\nhelp: `eagerx-gen key new"), 0U);
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  EXPECT_EQ(problem().find("it is no file"), 0U) << "without a wait for a writer";
+  EXPECT_EQ(problem().find("it is not a file"), 0U) << "without a wait for a writer";
 }
 
 /// Two ends without a line between them.
@@ -278,7 +278,7 @@ TEST(KeySession, WhatWasSaidBeforeOrByOneselfIsNoGreeting) {
   own.erase(own.begin(), own.begin() + 16);
   own.resize(Greeting::kAnswerBytes);
   EXPECT_FALSE(third.connector.take(own)) << "reflected";
-  // A number that makes the exchange give zero, whatever the other one drew.
+  // A number that makes the exchange give zero, whatever the other one sampled.
   Pair fourth(key_of(1), key_of(1));
   auto zero = Pair::said_by(fourth.connector);
   std::fill(zero.begin() + 16, zero.end(), std::uint8_t{0});

@@ -86,7 +86,7 @@ TEST(Nearest, WhatHasSeveralNames) {
   EXPECT_EQ(suggestion("robot", known), "it may be robot/gyro/y, robot/body/accel/y");
   EXPECT_EQ(suggestion("robot.trn", known), "did you mean `robot/gyro/y`?");
   EXPECT_EQ(suggestion("robot/gyr0", known), "did you mean `robot/gyro/y`?");
-  EXPECT_EQ(suggestion("x", known), "there is robot/gyro/y, robot/body/accel/y");
+  EXPECT_EQ(suggestion("x", known), "available: robot/gyro/y, robot/body/accel/y");
 }
 
 TEST(Nearest, AsASentenceForPeople) {
@@ -94,7 +94,7 @@ TEST(Nearest, AsASentenceForPeople) {
   EXPECT_EQ(did_you_mean("thta", names), "did you mean `theta`?");
   EXPECT_EQ(did_you_mean("mass", names), "");
   EXPECT_EQ(suggestion("thta", names), "did you mean `theta`?");
-  EXPECT_EQ(suggestion("mass", names), "there is theta, voltage");
+  EXPECT_EQ(suggestion("mass", names), "available: theta, voltage");
   EXPECT_EQ(suggestion("mass", std::vector<std::string>{}), "");
 }
 

@@ -77,7 +77,7 @@ TEST(TextFile, FullDiskIsSaidOnceAndNothingWaits) {
   }
 }
 
-TEST(TextFile, InRealTimeNobodyWaitsForAReaderThatStandsStill) {
+TEST(TextFile, InRealTimeTheWriterDoesNotWaitForAStalledReader) {
   const std::string path = ::testing::TempDir() + "text_file_test.fifo";
   std::remove(path.c_str());
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -128,7 +128,7 @@ TEST(TextFile, WhatIsThereStaysUntilSomethingTakesItsPlace) {
   }
 }
 
-TEST(TextFile, FoldersAndFifosThatNobodyReadsAreRefused) {
+TEST(TextFile, FoldersAndFifosWithoutAReaderAreRefused) {
   const std::string path = ::testing::TempDir() + "text_file_test.fifo";
   std::remove(path.c_str());
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);

@@ -33,28 +33,28 @@ TEST(ImportGraph, AClassOfAScriptIsOnlyOursWithTheSameInterface) {
   entity.inputs.resize(1);
   entity.inputs[0].name.value = "i0";
   Diagnostics diagnostics;
-  EntityMapping counterparts(library, diagnostics);
+  EntityMapping mapping(library, diagnostics);
   SavedEntity saved;
   saved.id.value = "__main__/Own";
-  EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // no input i0
+  EXPECT_FALSE(mapping.may_stand_in(entity, saved, "the node `n`"));  // no input i0
   EXPECT_EQ(diagnostics.error_count(), 1U);
   saved.ports["inputs"].push_back({{"i0", {}}, {}});
-  EXPECT_TRUE(counterparts.may_stand_in(entity, saved, "the node `n`"));
+  EXPECT_TRUE(mapping.may_stand_in(entity, saved, "the node `n`"));
   EXPECT_EQ(diagnostics.all().back().severity, Severity::warning);
   saved.config.kind = YamlKind::map;
   saved.config.entries.push_back({"gain", {}, made_scalar("2", {})});
-  EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // an unknown parameter
+  EXPECT_FALSE(mapping.may_stand_in(entity, saved, "the node `n`"));  // an unknown parameter
   saved.config.entries.clear();
   entity.config.resize(1);
   entity.config[0].eagerx = "n";
-  EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // has no n
-  EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));
+  EXPECT_FALSE(mapping.may_stand_in(entity, saved, "the node `n`"));  // has no n
+  EXPECT_FALSE(mapping.may_stand_in(entity, saved, "the node `n`"));
   EXPECT_EQ(diagnostics.error_count(), 3U) << "reported twice";
   saved.id.value = "own.module/Own";
-  EXPECT_TRUE(counterparts.may_stand_in(entity, saved, "the node `n`"));
+  EXPECT_TRUE(mapping.may_stand_in(entity, saved, "the node `n`"));
   saved.id.value = "__main__/Own";
   entity.own = true;
-  EXPECT_TRUE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // its user says so
+  EXPECT_TRUE(mapping.may_stand_in(entity, saved, "the node `n`"));  // its user says so
   EXPECT_EQ(diagnostics.error_count(), 3U);
 }
 
@@ -67,14 +67,14 @@ TEST(ImportGraph, AUsersOwnEntityIsTakenForAClassOfAScript) {
     entity.own = std::string_view(id) == "B";
   }
   Diagnostics diagnostics;
-  EntityMapping counterparts(library, diagnostics);
+  EntityMapping mapping(library, diagnostics);
   YamlValue none;
   none.kind = YamlKind::map;
-  const Entity* found = counterparts.find({"__main__/Own", {}}, none, Use::node, "the node `n`");
+  const Entity* found = mapping.find({"__main__/Own", {}}, none, Use::node, "the node `n`");
   ASSERT_NE(found, nullptr);
   EXPECT_EQ(found->id.value, "B");
   EXPECT_FALSE(diagnostics.has_errors());
-  EXPECT_NE(counterparts.find({"module/Own", {}}, none, Use::node, "the node `n`"), nullptr);
+  EXPECT_NE(mapping.find({"module/Own", {}}, none, Use::node, "the node `n`"), nullptr);
   EXPECT_TRUE(diagnostics.has_errors()) << "three entities stand for the same class";
 }
 

@@ -100,7 +100,7 @@ TEST(Processes, ANewProcessIsAPartAndAnExternalOneHasAHost) {
                                 "name its machine\n"),
             std::string::npos)
       << import.written;
-  EXPECT_EQ(import.notes(), Notes{"what had a process of its own in EAGERx is a program of its own "
+  EXPECT_EQ(import.notes(), Notes{"what had its own process in EAGERx is a separate program "
                                   "(`placement:`): `first` on this machine; `second` on a machine "
                                   "for you to name"});
 }
@@ -111,7 +111,7 @@ TEST(Processes, OneProgramUnlessPartsAreAskedFor) {
   ASSERT_TRUE(import.resolved) << import.report;
   EXPECT_FALSE(import.resolved->placement);
   EXPECT_EQ(import.notes(), Notes{"one program runs `first`, `second`, which EAGERx runs in "
-                                  "processes of their own"});
+                                  "their own processes"});
   EXPECT_NE(import.report.find("--keep-processes"), std::string::npos) << import.report;
   const ProcessesOf external(
       saved_with("process: 1, ", "process: 2, ", "process: 0, ", "process: 3, "), false);
@@ -128,13 +128,13 @@ TEST(Processes, TheEngineAndItsNodesStayTogether) {
   EXPECT_EQ(import.resolved->placement->parts.size(), 1U);
   EXPECT_EQ(import.resolved->placement->parts.front().name, "first");
   EXPECT_EQ(import.notes(),
-            Notes{"what had a process of its own in EAGERx is a program of its own "
+            Notes{"what had its own process in EAGERx is a separate program "
                   "(`placement:`): `first` on this machine; the engine, `obj/s0` in the main "
                   "program, with all of the engine"});
   const ProcessesOf alone(
       saved_with("process: 0, ", "process: 2, ", "process: 1, ", "process: 1, "));
   EXPECT_FALSE(alone.resolved->placement);
-  EXPECT_EQ(alone.notes(), Notes{"in the main program here, but in EAGERx in a process of its own: "
+  EXPECT_EQ(alone.notes(), Notes{"in the main program here, but in EAGERx in its own process: "
                                  "the engine"});
 }
 

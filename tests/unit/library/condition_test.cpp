@@ -176,10 +176,10 @@ TEST(Condition, TellsOfAProblemAtItsPlace) {
            {"lne(list) == 1", 11, "unknown function `lne`"},
            {"size(sginal) == 1", 16, "there is no input, output or state `sginal`"},
            {"size(both) == 1", 16, "`both` could be two ports"},
-           {"window(outputs.both) == 1", 18, "`outputs.both` is no input"},
-           {"n < 1e999", 15, "`1e999` is no number"},
-           {"n < 0x10", 15, "`0x10` is no number"},
-           {"n < 1..2", 15, "`1..2` is no number"},
+           {"window(outputs.both) == 1", 18, "`outputs.both` is not an input"},
+           {"n < 1e999", 15, "`1e999` is not a number"},
+           {"n < 0x10", 15, "`0x10` is not a number"},
+           {"n < 1..2", 15, "`1..2` is not a number"},
            {"n < $", 15, "expected a value, found `$`"}}) {
     Diagnostics diagnostics;
     const Entity owner = entity();
@@ -328,7 +328,7 @@ TEST(Expression, TextsAreNone) {
   EXPECT_FALSE(is_expression(scalar("$(config limit)", true)));
 }
 
-// A word of a text is no reference: `about: "… (at the given rate)"` once asked for a rate.
+// A word of a text is not a reference: `about: "… (at the given rate)"` once asked for a rate.
 TEST(Expression, IsAskedWhatItRefersTo) {
   for (const char* text : {"$(rate)", "$(2 * rate)", "1 / $(rate)"})
     EXPECT_TRUE(refers_to(scalar(text, false), {"rate"})) << text;

@@ -197,8 +197,8 @@ template class Gain<blocks::GainIo<float>>;
 template class Gain<blocks::GainIo<double>>;
 template class MatrixGain<blocks::MatrixIo<float>>;
 template class MatrixGain<blocks::MatrixIo<double>>;
-template class Saturation<blocks::DrawnLimitsIo<float>>;
-template class Saturation<blocks::DrawnLimitsIo<double>>;
+template class Saturation<blocks::SampledLimitsIo<float>>;
+template class Saturation<blocks::SampledLimitsIo<double>>;
 template class DeadZone<blocks::LimitsIo<float>>;
 template class DeadZone<blocks::LimitsIo<double>>;
 template class Quantizer<blocks::QuantizerIo<float>>;
@@ -217,8 +217,8 @@ template class LookupTable<blocks::StepsIo<float>>;
 template class LookupTable<blocks::StepsIo<double>>;
 template class LookupTable2d<blocks::GridIo<float>>;
 template class LookupTable2d<blocks::GridIo<double>>;
-template class Constant<blocks::DrawnConstantIo<float>>;
-template class Constant<blocks::DrawnConstantIo<double>>;
+template class Constant<blocks::SampledConstantIo<float>>;
+template class Constant<blocks::SampledConstantIo<double>>;
 template class Integrator<blocks::BackwardIo<float>>;
 template class Integrator<blocks::BackwardIo<double>>;
 template class Integrator<blocks::ForwardIo<float>>;
@@ -298,7 +298,7 @@ template class InverseKinematics<robots::InverseIo<double, ArmConfig<double>, 4,
 template class OperationalSpace<robots::OperationalIo<float, HandConfig<float>, 4, 7>>;
 template class OperationalSpace<robots::OperationalIo<double, HandConfig<double>, 4, 7>>;
 
-// A callback that takes the tick of any SIMD group is no part of what the lines above make.
+// A callback that takes the tick of any SIMD group is not a part of what the lines above make.
 template <class Node>
 constexpr auto kCallback = &Node::template callback<Tick>;
 template <class... Nodes>

@@ -111,7 +111,7 @@ struct ConstantConfig {
   static constexpr std::array<double, 1> value = {2.5};
 };
 template <class Real>
-struct DrawnConstantIo : SourceIo<Real, ConstantConfig> {
+struct SampledConstantIo : SourceIo<Real, ConstantConfig> {
   struct States {
     std::optional<V<float>> value{};
   };
@@ -140,7 +140,7 @@ struct LimitsConfig {
 template <class Real>
 using LimitsIo = SignalIo<Real, LimitsConfig, 2>;
 template <class Real>
-struct DrawnLimitsIo : LimitsIo<Real> {
+struct SampledLimitsIo : LimitsIo<Real> {
   struct States {
     std::optional<V<float, 1>> low{};
     std::optional<V<float, 2>> high{};
@@ -267,7 +267,7 @@ struct LagsConfig {
 };
 template <class Real>
 using LagIo = SignalIo<Real, LagsConfig>;
-struct DrawnLagIo : LagIo<double> {
+struct SampledLagIo : LagIo<double> {
   struct States {
     std::optional<V<float>> time_constant{};
   };
@@ -278,7 +278,7 @@ struct PlayConfig {
 };
 template <class Real>
 using PlayIo = SignalIo<Real, PlayConfig>;
-struct DrawnPlayIo : PlayIo<double> {
+struct SampledPlayIo : PlayIo<double> {
   struct States {
     std::optional<V<float>> width{};
   };
@@ -290,7 +290,7 @@ struct DelayConfig {
 };
 template <class Real>
 using DelayIo = SignalIo<Real, DelayConfig>;
-struct DrawnDelayIo : DelayIo<double> {
+struct SampledDelayIo : DelayIo<double> {
   struct States {
     std::optional<float> delay{};
   };

@@ -71,12 +71,12 @@ TEST(MatrixGain, IsTheMatrixTimesTheVector) {
 TEST(Constant, IsItsValueOrWhatAResetSets) {
   Ticking<Constant, SourceIo<double, ConstantConfig>> constant;
   EXPECT_EQ(constant()[0], 2.5);
-  Ticking<Constant, DrawnConstantIo<double>> drawn;
-  EXPECT_EQ(drawn()[0], 2.5);
-  drawn.reset({V<float>{{-1.0F}}});
-  EXPECT_EQ(drawn()[0], -1.0);
-  drawn.reset();
-  EXPECT_EQ(drawn()[0], -1.0) << "it is not set: it keeps its value";
+  Ticking<Constant, SampledConstantIo<double>> sampled;
+  EXPECT_EQ(sampled()[0], 2.5);
+  sampled.reset({V<float>{{-1.0F}}});
+  EXPECT_EQ(sampled()[0], -1.0);
+  sampled.reset();
+  EXPECT_EQ(sampled()[0], -1.0) << "it is not set: it keeps its value";
 }
 
 /// The largest error over three seconds.
@@ -136,8 +136,8 @@ TEST(Saturation, MovesIntoLimitsThatAResetMaySet) {
   EXPECT_EQ(plain(D2{{kInf, 0.25}}), (D2{{2.0, 0.25}}));
   EXPECT_TRUE(std::isnan(plain(D2{{kNan<double>, 0.0}})[0]));
   EXPECT_EQ(plain.tick({nothing<D2>()}), D2{});
-  Ticking<Saturation, DrawnLimitsIo<double>> drawn({V<float>{{-0.25F}}, std::nullopt});
-  EXPECT_EQ(drawn(D2{{-3.0, 1.0}}), (D2{{-0.25, 0.5}}));
+  Ticking<Saturation, SampledLimitsIo<double>> sampled({V<float>{{-0.25F}}, std::nullopt});
+  EXPECT_EQ(sampled(D2{{-3.0, 1.0}}), (D2{{-0.25, 0.5}}));
   expect_lanes<Saturation, LimitsIo, 2>();
 }
 TEST(Tunable, ParametersStayUntilTheyAreSetAgain) {
@@ -152,7 +152,7 @@ TEST(Tunable, ParametersStayUntilTheyAreSetAgain) {
   EXPECT_EQ(gain(D2{{1.0, 2.0}}), (D2{{4.0, 1.0}}));
   static_assert(sizeof(Gain<GainIo<double>>) == 1, "a constant takes no memory");
 
-  Ticking<Saturation, DrawnLimitsIo<double>> limits;
+  Ticking<Saturation, SampledLimitsIo<double>> limits;
   limits.node.tune({V<float>{{-0.25F}}, std::nullopt});
   EXPECT_EQ(limits(D2{{-3.0, 1.0}}), (D2{{-0.25, 0.5}}));
 }

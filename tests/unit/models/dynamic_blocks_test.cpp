@@ -94,7 +94,7 @@ TEST(StateSpace, IsScipysDlsim) {
 TEST(FirstOrderLag, IsScipysZeroOrderHold) {
   expect_reference<FirstOrderLag, LagIo, 1, 1>("lag", 1e-6);
   expect_lanes<FirstOrderLag, LagIo, 1>();
-  Ticking<FirstOrderLag, DrawnLagIo> lag({V<float>{{0.25F}}});
+  Ticking<FirstOrderLag, SampledLagIo> lag({V<float>{{0.25F}}});
   EXPECT_NEAR(lag(D1{{1.0}})[0], 1.0 - std::exp(-0.04), 1e-12);
   const double y = lag(D1{{1.0}})[0];
   EXPECT_EQ(lag(D1{{kNan<double>}})[0], y);
@@ -104,7 +104,7 @@ TEST(FirstOrderLag, IsScipysZeroOrderHold) {
 }
 
 TEST(Backlash, MovesBehindThePlay) {
-  Ticking<Backlash, DrawnPlayIo> play;
+  Ticking<Backlash, SampledPlayIo> play;
   for (const auto& [x, y] :
        {std::pair{0.2, 0.0}, {1.0, 0.75}, {0.6, 0.75}, {0.25, 0.5}, {0.3, 0.5}})
     EXPECT_DOUBLE_EQ(play(D1{{x}})[0], y);
@@ -119,7 +119,7 @@ TEST(Backlash, MovesBehindThePlay) {
 TEST(TransportDelay, IsNumpysInterp) {
   expect_reference<TransportDelay, DelayIo, 1, 1>("delay", 1e-6);
   expect_lanes<TransportDelay, DelayIo, 1>();
-  Ticking<TransportDelay, DrawnDelayIo> delay({9.0F});
+  Ticking<TransportDelay, SampledDelayIo> delay({9.0F});
   for (int n = 0; n < 10; ++n) {
     EXPECT_EQ(delay(D1{{static_cast<double>(n)}})[0], n < 5 ? 0.5 : n - 5.0) << "the longest";
   }

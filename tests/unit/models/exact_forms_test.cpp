@@ -123,7 +123,7 @@ struct StartBandConfig : StartConfig<FilterType::bandpass> {
 };
 
 TEST(Filters, BeginAtTheirFirstMeasurement) {
-  // No message at first, then one that is not finite; both are no measurement.
+  // No message at first, then one that is not finite; neither is a measurement.
   std::vector<float> signal(300, 1.3F);
   signal[1] = blocks::kNan<float>;
   const auto expect_rest_at = [&](const std::vector<float>& y, float value) {

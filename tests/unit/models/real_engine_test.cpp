@@ -182,7 +182,7 @@ TEST_F(RealEngineTest, SeveralLateInstantsMakeSafeUntilTheNextEpisode) {
   EXPECT_FALSE(patient.is_safe());
 }
 
-// A pause of 50 periods is no single late instant.
+// A pause of 50 periods is not a single late instant.
 TEST_F(RealEngineTest, APauseCountsAsManyLateInstants) {
   HardwareEngine<PatientIo, FakeLink, FakePlatform> patient;
   patient.start(simulator);

@@ -6,9 +6,9 @@
 #include <models/objects/cart_pole/cart_pole.hpp>
 #include <models/objects/two_link_arm/two_link_arm.hpp>
 
-#include "tests/unit/multibody/draw.hpp"
 #include "tests/unit/multibody/multibody_io.hpp"
 #include "tests/unit/multibody/robots.hpp"
+#include "tests/unit/multibody/sampler.hpp"
 
 namespace eagerx::models::testing {
 namespace {
@@ -23,11 +23,11 @@ using Arm = LagrangeArm;
 template <class Real>
 double worst_of_arm() {
   MultibodyScene<ArmOf<Real>> scene;
-  Draw draw;
+  Sampler sample;
   double worst = 0.0;
   for (int n = 0; n < 1000; ++n) {
-    const std::array<double, 4> x = {draw(3), draw(3), draw(5), draw(5)};
-    const double t1 = draw(10), t2 = draw(10);
+    const std::array<double, 4> x = {sample(3), sample(3), sample(5), sample(5)};
+    const double t1 = sample(10), t2 = sample(10);
     scene.simulator.want_joint(0, {{x[0], 0.0}, {x[2], 0.0}});
     scene.simulator.want_joint(1, {{x[1], 0.0}, {x[3], 0.0}});
     scene.simulator.set_joint_torque(0, Real(t1));
@@ -51,10 +51,10 @@ TEST(MultibodyAccuracy, AccelerationsOfTheArmAreLagranges) {
 TEST(MultibodyAccuracy, AccelerationsOfTheCartPoleAreThoseOfTheTextbook) {
   constexpr double kCart = 1.0, kPole = 0.1, kHalf = 0.5, g = 9.81;
   MultibodyScene<CartPoleOf<double>> scene;
-  Draw draw;
+  Sampler sample;
   for (int n = 0; n < 100; ++n) {
-    const double theta = draw(3), omega = draw(5), force = draw(10);
-    scene.simulator.want_joint(0, {{draw(1), 0.0}, {draw(2), 0.0}});
+    const double theta = sample(3), omega = sample(5), force = sample(10);
+    scene.simulator.want_joint(0, {{sample(1), 0.0}, {sample(2), 0.0}});
     scene.simulator.want_joint(1, {{theta, 0.0}, {omega, 0.0}});
     scene.simulator.set_joint_torque(0, force);
     // Florian 2007, without friction.
@@ -119,10 +119,10 @@ std::array<double, 6> momentum(const MultibodySimulator<Model>& simulator) {
 template <class Real, int Substeps>
 std::array<double, 2> drift_of_momentum() {
   MultibodyScene<FloatingWalker<Real>, WeightlessMultibody<Substeps>> scene;
-  Draw draw;
+  Sampler sample;
   scene.simulator.want_twist(0, {{1.0, -0.5, 0.7, 2.0, 1.0, -1.5}});
   for (std::size_t j = 0; j < 12; ++j)
-    scene.simulator.want_joint(j, {{draw(1), 0.0}, {draw(3), 0.0}});
+    scene.simulator.want_joint(j, {{sample(1), 0.0}, {sample(3), 0.0}});
   scene.reset();
   const auto start = momentum(scene.simulator);
   std::array<double, 2> worst{}, scale{};

@@ -1,4 +1,4 @@
-// Ground that is no level plane: tilted planes and height fields.
+// Ground that is not a level plane: tilted planes and height fields.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/unit/multibody/drawn_state.hpp"
+#include "tests/unit/multibody/sampled_state.hpp"
 
 namespace eagerx::models::testing {
 
@@ -32,13 +32,12 @@ template <template <class> class Model, class Robot = ComparedRobot<Model>>
 double worst_error(const MujocoTable& table) {
   const auto rows = table.find(Robot::kName);
   if (rows == table.end()) return 1.0;
-  Draw draw;
+  Sampler sample;
   double worst = 0.0;
   for (const auto& expected : rows->second)
-    worst = std::max(
-        worst,
-        relative_error(engine_accelerations(DrawnState<Model<double>>(draw, Robot::kMostTorque)),
-                       expected));
+    worst = std::max(worst, relative_error(engine_accelerations(SampledState<Model<double>>(
+                                               sample, Robot::kMostTorque)),
+                                           expected));
   return worst;
 }
 

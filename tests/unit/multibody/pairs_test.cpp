@@ -7,9 +7,9 @@
 #include <cstring>
 #include <eagerx/simd.hpp>
 
-#include "tests/unit/multibody/draw.hpp"
 #include "tests/unit/multibody/multibody_io.hpp"
 #include "tests/unit/multibody/robots.hpp"
+#include "tests/unit/multibody/sampler.hpp"
 
 namespace eagerx::models::testing::pairs {
 namespace {
@@ -28,8 +28,10 @@ double tried_distance(const Vec<double>& a, const Vec<double>& b, const Vec<doub
   return least;
 }
 TEST(MultibodyPairs, NearestPointsOfLinesAreNearest) {
-  Draw draw;
-  const auto vector = [&](double most) { return Vec<double>{draw(most), draw(most), draw(most)}; };
+  Sampler sample;
+  const auto vector = [&](double most) {
+    return Vec<double>{sample(most), sample(most), sample(most)};
+  };
   for (int n = 0; n < 60; ++n) {
     Vec<double> a = vector(1.0), b = vector(1.0);
     const Vec<double> between = vector(1.5);

@@ -14,10 +14,10 @@
 #include <models/objects/two_link_arm/two_link_arm.hpp>
 
 #include "tests/unit/models/block_harness.hpp"
-#include "tests/unit/multibody/draw.hpp"
 #include "tests/unit/multibody/multibody_io.hpp"
 #include "tests/unit/multibody/robot_block_io.hpp"
 #include "tests/unit/multibody/robots.hpp"
+#include "tests/unit/multibody/sampler.hpp"
 
 namespace eagerx::models::testing::robots {
 namespace {
@@ -34,9 +34,9 @@ Output tick(Node<Io>& node, const Message&... message) {
   return y;
 }
 template <class Real, std::size_t N>
-Array<Real, N> draws(Draw& draw, double most) {
+Array<Real, N> samples(Sampler& sample, double most) {
   Array<Real, N> x{};
-  for (auto& element : x) element = static_cast<Real>(draw(most));
+  for (auto& element : x) element = static_cast<Real>(sample(most));
   return x;
 }
 
@@ -53,11 +53,11 @@ template <class Real>
 double worst_torque_of_arm() {
   using Io = DynamicsIo<Real, ArmBlockConfig<Real>, 2>;
   InverseDynamics<Io> node;
-  Draw draw;
+  Sampler sample;
   double worst = 0.0;
   for (int n = 0; n < 1000; ++n) {
-    const std::array<double, 4> x = {draw(3), draw(3), draw(5), draw(5)};
-    const double t[2] = {draw(10), draw(10)};
+    const std::array<double, 4> x = {sample(3), sample(3), sample(5), sample(5)};
+    const double t[2] = {sample(10), sample(10)};
     const auto a = LagrangeArm::acceleration(x, t[0], t[1]);
     const auto number = [](double y) { return static_cast<Real>(y); };
     const Array<Real, 2> q{{number(x[0]), number(x[1])}}, v{{number(x[2]), number(x[3])}};
@@ -125,10 +125,10 @@ void expect_near(const Array<double, N>& found, const Array<double, N>& expected
 TEST(RobotBlocks, TheEngineAcceleratesAsInverseDynamicsWants) {
   using Io = DynamicsIo<double, MixedConfig<Mixed>, kN>;
   InverseDynamics<Io> node;
-  Draw draw;
+  Sampler sample;
   for (int n = 0; n < 200; ++n) {
-    const Four q = draws<double, kN>(draw, 2), v = draws<double, kN>(draw, 3);
-    const Four a = draws<double, kN>(draw, 20);
+    const Four q = samples<double, kN>(sample, 2), v = samples<double, kN>(sample, 3);
+    const Four a = samples<double, kN>(sample, 20);
     const auto u = tick<InverseDynamics, Io, Four>(node, q, v, a);
     expect_near(engine_accelerations(q, v, u), a, 1e-10);
   }
@@ -138,11 +138,11 @@ TEST(RobotBlocks, TheEngineAcceleratesAsComputedTorqueWants) {
   using Config = MixedConfig<Mixed>;
   using Io = ComputedIo<double, Config, kN>;
   ComputedTorque<Io> node;
-  Draw draw;
+  Sampler sample;
   for (int n = 0; n < 50; ++n) {
-    const Four q = draws<double, kN>(draw, 2), v = draws<double, kN>(draw, 3);
-    const Four goal = draws<double, kN>(draw, 2), goal_v = draws<double, kN>(draw, 3);
-    const Four goal_a = draws<double, kN>(draw, 20);
+    const Four q = samples<double, kN>(sample, 2), v = samples<double, kN>(sample, 3);
+    const Four goal = samples<double, kN>(sample, 2), goal_v = samples<double, kN>(sample, 3);
+    const Four goal_a = samples<double, kN>(sample, 20);
     const auto u = tick<ComputedTorque, Io, Four>(node, q, v, goal, goal_v, goal_a);
     Four a{};
     for (std::size_t i = 0; i < kN; ++i)
@@ -205,9 +205,9 @@ TEST(RobotBlocks, ForwardKinematicsIsWhereTheEngineHasTheBody) {
 }
 
 TEST(RobotBlocks, JacobianIsTheSlopeOfForwardKinematics) {
-  Draw draw;
+  Sampler sample;
   for (int n = 0; n < 50; ++n) {
-    const Four q = draws<double, kN>(draw, 2);
+    const Four q = samples<double, kN>(sample, 2);
     const auto jacobian = jacobian_of(q);
     for (std::size_t i = 0; i < kN; ++i) {
       Four unit{};
@@ -228,11 +228,11 @@ TEST(RobotBlocks, JacobianIsTheSlopeOfForwardKinematics) {
 TEST(RobotBlocks, TheHandAcceleratesAsOperationalSpaceWants) {
   using Io = OperationalIo<double, HandConfig<Mixed>, kN, 3>;
   OperationalSpace<Io> node;
-  Draw draw;
+  Sampler sample;
   for (int n = 0; n < 50; ++n) {
-    const Four q = draws<double, kN>(draw, 0.8), v = draws<double, kN>(draw, 2);
-    const auto goal = draws<double, 3>(draw, 0.5), goal_v = draws<double, 3>(draw, 1);
-    const auto goal_a = draws<double, 3>(draw, 5);
+    const Four q = samples<double, kN>(sample, 0.8), v = samples<double, kN>(sample, 2);
+    const auto goal = samples<double, 3>(sample, 0.5), goal_v = samples<double, 3>(sample, 1);
+    const auto goal_a = samples<double, 3>(sample, 5);
     const auto u = tick<OperationalSpace, Io, Four>(node, q, v, goal, goal_v, goal_a);
     const Four a = engine_accelerations(q, v, u);
     const auto pose = pose_of(q);
@@ -259,10 +259,10 @@ struct SearchConfig : MixedConfig<Mixed> {
 };
 TEST(RobotBlocks, InverseKinematicsReachesPositions) {
   using Io = InverseIo<double, SearchConfig<3, 30>, kN, 3>;
-  Draw draw;
+  Sampler sample;
   int reached = 0;
   for (int n = 0; n < 100; ++n) {
-    const auto pose = pose_of(draws<double, kN>(draw, 1.5));
+    const auto pose = pose_of(samples<double, kN>(sample, 1.5));
     InverseKinematics<Io> node;
     node.reset({});
     const Four q =

@@ -111,7 +111,7 @@ TEST(Difference, AnAnswerThatIsNotFiniteIsNone) {
   EXPECT_EQ(diagnostics.all().back().code, "E0759");
 }
 
-TEST(Observations, AreDrawnWhereTheFileSaysThatTheyAre) {
+TEST(Observations, AreSampledWhereTheFileSaysThatTheyAre) {
   Network network = two_layers();
   const auto all_within = [&](double low, double high, std::size_t i) {
     for (const auto& row : sampled_observations(network, {200, 3}).observations) {

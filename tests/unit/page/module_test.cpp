@@ -40,7 +40,7 @@ class ModuleTest : public testing::Test {
 
 TEST_F(ModuleTest, OnlyAModuleOfASizeForPagesIsTaken) {
   EXPECT_EQ(problem(kHead + "anything"), "");
-  const std::string none = "is no module of WebAssembly";
+  const std::string none = "is not a module of WebAssembly";
   EXPECT_EQ(problem(""), none);
   EXPECT_EQ(problem(kHead.substr(0, 7)), none);
   EXPECT_EQ(problem("<!doctype html>"), none);

@@ -70,9 +70,9 @@ TEST_F(ScriptTest, WhatCannotBeJoinedIsRefused) {
               "cannot read `main.mjs`: `" + std::string(line) + "`" + form);
   }
   for (const char* line : {"export default 1;", "export {a};", "export * from \"./a.mjs\";"})
-    EXPECT_EQ(
-        problem({{"main.mjs", std::string(line) + "\n"}}),
-        "cannot read `main.mjs`: `" + std::string(line) + "` is no `export` before a declaration");
+    EXPECT_EQ(problem({{"main.mjs", std::string(line) + "\n"}}),
+              "cannot read `main.mjs`: `" + std::string(line) +
+                  "` is not an `export` before a declaration");
 }
 
 TEST_F(ScriptTest, ACircleAndAModuleThatIsNotThereAreRefused) {

@@ -9,13 +9,13 @@ namespace eagerx::gen {
 namespace {
 
 /// "motor.theta -> motor.u 9/1000", a line for each pair; times in s.
-std::string ages(const GraphOfText& graph, const WayEnds& ends) {
+std::string ages(const GraphOfText& graph, const PathEnds& ends) {
   const DataAges found(*graph.plan, ends);
   std::string text;
   for (const DataAge& age : found.known()) {
     text += age.from + " -> " + age.to + " " + age.newest_s.to_string() + "\n";
     Rational sum;
-    for (const AgeHop& edge : age.way) {
+    for (const AgeEdge& edge : age.path) {
       EXPECT_GE(edge.newest_s, Rational()) << edge.input;
       sum = sum + edge.newest_s;
     }
@@ -46,16 +46,16 @@ constexpr const char* kCascade =
 
 TEST(Ages, AreThoseOfTheEndsThatAreAskedFor) {
   const auto graph = graph_of_text(kCascade);
-  EXPECT_EQ(usual_ends(*graph->graph), (WayEnds{false, false, true}));
+  EXPECT_EQ(usual_ends(*graph->graph), (PathEnds{false, false, true}));
   EXPECT_EQ(ages(*graph, {false, false, true}),
             "motor.theta -> motor.u 0.003\nmotor.theta_dot -> motor.u 0.001\n");
   EXPECT_EQ(ages(*graph, {true, false, false}), "actions.angle -> motor.u 0.011\n");
   EXPECT_EQ(ages(*graph, {false, true, true}),
             "motor.theta -> observations.theta 0\nmotor.theta_dot -> observations.speed 0.02\n");
-  EXPECT_EQ(ages(*graph, {true, true, false}), "") << "the engine is no way of data";
+  EXPECT_EQ(ages(*graph, {true, true, false}), "") << "the engine is not a path of data";
 }
 
-TEST(Ages, OfWaysAroundTheAgentAreThoseWithoutIt) {
+TEST(Ages, OfPathsAroundTheAgentAreThoseWithoutIt) {
   std::string text = kCascade;
   const std::string around = "  - {from: motor.theta, to: position.measured}\n";
   text.replace(text.find(around), around.size(),

@@ -16,13 +16,13 @@ struct Sketch {
   std::size_t rate = 0;
 };
 
-struct Drawn {
+struct SketchedGraph {
   Graph graph;
   std::vector<std::size_t> rate_of;
 };
 
-Drawn draw(const std::vector<Sketch>& sketches) {
-  Drawn drawn;
+SketchedGraph sketched_graph(const std::vector<Sketch>& sketches) {
+  SketchedGraph sketched;
   for (const auto& sketch : sketches) {
     GraphNode node;
     node.name = sketch.name;
@@ -35,10 +35,10 @@ Drawn draw(const std::vector<Sketch>& sketches) {
       input.source_node = static_cast<std::size_t>(source - sketches.begin());
       node.inputs.push_back(input);
     }
-    drawn.graph.nodes.push_back(std::move(node));
-    drawn.rate_of.push_back(sketch.rate);
+    sketched.graph.nodes.push_back(std::move(node));
+    sketched.rate_of.push_back(sketch.rate);
   }
-  return drawn;
+  return sketched;
 }
 
 std::vector<std::string> names(const Graph& graph, const std::vector<std::size_t>& nodes) {
@@ -75,62 +75,62 @@ std::vector<Sketch> random_sketches(std::mt19937& random, std::size_t count) {
 TEST(Order, EveryNodeOnceBehindWhatItHears) {
   std::mt19937 random(1);
   for (int trial = 0; trial < 200; ++trial) {
-    const Drawn drawn = draw(random_sketches(random, 2 + random() % 60));
-    const Order order = order_nodes(drawn.graph, drawn.rate_of);
+    const SketchedGraph sketched = sketched_graph(random_sketches(random, 2 + random() % 60));
+    const Order order = order_nodes(sketched.graph, sketched.rate_of);
     std::vector<std::size_t> sequence = order.before;
     sequence.push_back(Graph::kEnvironment);
     sequence.insert(sequence.end(), order.after.begin(), order.after.end());
-    ASSERT_EQ(sequence.size(), drawn.graph.nodes.size());
+    ASSERT_EQ(sequence.size(), sketched.graph.nodes.size());
     std::vector<std::size_t> place(sequence.size(), sequence.size());
     for (std::size_t i = 0; i < sequence.size(); ++i) place[sequence[i]] = i;
-    for (std::size_t n = 0; n < drawn.graph.nodes.size(); ++n) {
+    for (std::size_t n = 0; n < sketched.graph.nodes.size(); ++n) {
       ASSERT_LT(place[n], sequence.size()) << "missing";
-      for (const auto& input : drawn.graph.nodes[n].inputs) {
+      for (const auto& input : sketched.graph.nodes[n].inputs) {
         if (input.skip) continue;
-        ASSERT_LT(place[input.source_node], place[n]) << drawn.graph.nodes[n].name;
+        ASSERT_LT(place[input.source_node], place[n]) << sketched.graph.nodes[n].name;
       }
     }
   }
 }
 
 TEST(Order, OnlyWhatNeedsTheActionComesAfterTheEnvironment) {
-  const Drawn drawn = draw({{"environment", {{"theta", false}}},
-                            {"engine", {}},
-                            {"theta", {{"engine", false}}},
-                            {"filter", {{"environment", false}}},
-                            {"u", {{"filter", false}, {"engine", false}}},
-                            {"echo", {{"u", true}}}});
-  const Order order = order_nodes(drawn.graph, drawn.rate_of);
-  EXPECT_EQ(names(drawn.graph, order.before),
+  const SketchedGraph sketched = sketched_graph({{"environment", {{"theta", false}}},
+                                                 {"engine", {}},
+                                                 {"theta", {{"engine", false}}},
+                                                 {"filter", {{"environment", false}}},
+                                                 {"u", {{"filter", false}, {"engine", false}}},
+                                                 {"echo", {{"u", true}}}});
+  const Order order = order_nodes(sketched.graph, sketched.rate_of);
+  EXPECT_EQ(names(sketched.graph, order.before),
             (std::vector<std::string>{"echo", "engine", "theta"}));
-  EXPECT_EQ(names(drawn.graph, order.after), (std::vector<std::string>{"filter", "u"}));
+  EXPECT_EQ(names(sketched.graph, order.after), (std::vector<std::string>{"filter", "u"}));
 }
 
 TEST(Order, DoesNotDependOnTheOrderOfTheFile) {
   std::mt19937 random(2);
   for (int trial = 0; trial < 100; ++trial) {
     const std::vector<Sketch> sketches = random_sketches(random, 30);
-    const Drawn drawn = draw(sketches);
-    const Order order = order_nodes(drawn.graph, drawn.rate_of);
+    const SketchedGraph sketched = sketched_graph(sketches);
+    const Order order = order_nodes(sketched.graph, sketched.rate_of);
     std::vector<Sketch> shuffled = sketches;
     std::shuffle(shuffled.begin() + 2, shuffled.end(),
                  random);  // environment and engine stay in front
-    const Drawn other = draw(shuffled);
+    const SketchedGraph other = sketched_graph(shuffled);
     const Order again = order_nodes(other.graph, other.rate_of);
-    ASSERT_EQ(names(drawn.graph, order.before), names(other.graph, again.before));
-    ASSERT_EQ(names(drawn.graph, order.after), names(other.graph, again.after));
+    ASSERT_EQ(names(sketched.graph, order.before), names(other.graph, again.before));
+    ASSERT_EQ(names(sketched.graph, order.after), names(other.graph, again.after));
   }
 }
 
 TEST(Order, StaysWithARateAsLongAsItCan) {
-  const Drawn drawn = draw({{"environment", {}},
-                            {"engine", {}, 0},
-                            {"a", {{"engine", false}}, 1},
-                            {"b", {{"engine", false}}, 0},
-                            {"c", {{"engine", false}}, 1},
-                            {"d", {{"engine", false}}, 0}});
-  const Order order = order_nodes(drawn.graph, drawn.rate_of);
-  EXPECT_EQ(names(drawn.graph, order.before),
+  const SketchedGraph sketched = sketched_graph({{"environment", {}},
+                                                 {"engine", {}, 0},
+                                                 {"a", {{"engine", false}}, 1},
+                                                 {"b", {{"engine", false}}, 0},
+                                                 {"c", {{"engine", false}}, 1},
+                                                 {"d", {{"engine", false}}, 0}});
+  const Order order = order_nodes(sketched.graph, sketched.rate_of);
+  EXPECT_EQ(names(sketched.graph, order.before),
             (std::vector<std::string>{"engine", "b", "d", "a", "c"}));
 }
 

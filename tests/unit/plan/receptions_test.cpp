@@ -151,13 +151,13 @@ TEST(Receptions, ALongestDelayThatAnEntitySetsHoldsAsFloat) {
   Diagnostics diagnostics;
   Input input = input_of(c, 1);
   input.max_delay_s = c.delay_s;
-  const auto drawn = plan_reception(input, ends_of(c, true), diagnostics);
+  const auto sampled = plan_reception(input, ends_of(c, true), diagnostics);
   input.entity_sets_delay = true;
   const auto set = plan_reception(input, ends_of(c, true), diagnostics);
-  ASSERT_TRUE(drawn && set);
-  EXPECT_EQ(drawn->changing->longest_ns, 100'000'000);
+  ASSERT_TRUE(sampled && set);
+  EXPECT_EQ(sampled->changing->longest_ns, 100'000'000);
   EXPECT_EQ(set->changing->longest_ns, 100'000'002);  // 0.1F is 0.1000000014901161 s
-  EXPECT_EQ(set->keep, drawn->keep + 1);
+  EXPECT_EQ(set->keep, sampled->keep + 1);
 }
 
 TEST(Receptions, OnlySkippedInputsWithoutAMessageAtTickOneAreRefused) {

@@ -61,7 +61,7 @@ TEST(PassingRings, OlderMessagesStay) {
 TEST(PassingRings, ASlowerWriterMayBeSilentInAStep) {
   std::string text = kHead + "  - {from: position.u, to: speed.setpoint}\n";
   text.replace(text.find("rate: 200"), 9, "rate: 50");
-  EXPECT_EQ(passing(text), "") << "a step is no hyperperiod";
+  EXPECT_EQ(passing(text), "") << "a step is not a hyperperiod";
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(Units, DifferInQuantity) {
   }
 }
 
-TEST(Units, NothingIsSaidOfOthers) {
+TEST(Units, OtherUnitsGiveNoWarning) {
   for (const char* text : {"", " ", "furlong", "rad/", "/s", "m**2", "m^", "m^x", "degC", "m^99",
                            "cos(rad)", "m/s^2^2", "*"}) {
     EXPECT_FALSE(unit_of(text)) << text;

@@ -67,9 +67,9 @@ TEST(ProgramMap, ACommentIsNoLine) {
 }
 
 TEST(ProgramMap, OthersAreRefusedWithTheirLine) {
-  EXPECT_EQ(problem(""), "`m:1` is no program map that this eagerx-gen reads");
+  EXPECT_EQ(problem(""), "`m:1` is not a program map that this eagerx-gen reads");
   EXPECT_EQ(problem("eagerx-gen program map 1\n"),
-            "`m:1` is no program map that this eagerx-gen reads");
+            "`m:1` is not a program map that this eagerx-gen reads");
   EXPECT_EQ(problem("eagerx-gen program map 2\nnode a A\n"),
             "`m:2` ends without the hash of program.hpp");
   for (const char* line : {"",
@@ -103,17 +103,17 @@ TEST(ProgramMap, OthersAreRefusedWithTheirLine) {
                            "member x ring a",
                            "member  part a",
                            "member x part rings rings"}) {
-    EXPECT_EQ(problem(std::string(kHead) + line + "\n"), "`m:5` is no line of a program map")
+    EXPECT_EQ(problem(std::string(kHead) + line + "\n"), "`m:5` is not a line of a program map")
         << line;
   }
 }
 
-TEST(ProgramMap, LinesAreNobodysTwice) {
+TEST(ProgramMap, NoLineBelongsToTwoEntries) {
   const std::string first = std::string(kHead) + "lines 5 9 a\n";
   for (const char* line : {"lines 9 12 b", "lines 1 4 b", "lines 5 9 a"})
-    EXPECT_EQ(problem(first + line), "`m:6` is no line of a program map") << line;
+    EXPECT_EQ(problem(first + line), "`m:6` is not a line of a program map") << line;
   EXPECT_EQ(problem(std::string(kHead) + "member x node a\nmember x part rings"),
-            "`m:6` is no line of a program map");
+            "`m:6` is not a line of a program map");
 }
 
 }  // namespace

@@ -123,18 +123,18 @@ TEST(ReadMemory, ReadsOddTextsAsWithoutIt) {
 }
 
 TEST(ReadMemory, ReadsWhatSomebodyTypesAsWithoutIt) {
-  std::mt19937 draws(40);
+  std::mt19937 random(40);
   std::string text = content(fs::path(EAGERX_SOURCE_DIR) / "examples/quadruped_trot/graph.yaml");
   const std::string letters = "a:-# {}[],'\"\n|&*?0";
   std::vector<Read> plain;
   std::vector<std::string> texts;
   for (int i = 0; i < 400; ++i) {
-    const std::size_t at = draws() % text.size();
+    const std::size_t at = random() % text.size();
     std::string changed = text;
     if (i % 3 == 0)
-      changed.erase(at, 1 + draws() % 4);
+      changed.erase(at, 1 + random() % 4);
     else
-      changed.insert(at, 1, letters[draws() % letters.size()]);
+      changed.insert(at, 1, letters[random() % letters.size()]);
     texts.push_back(changed);
     plain.push_back(read(changed));
     if (plain.back().text.empty()) text = changed;

@@ -40,15 +40,15 @@ TEST(Problems, Indentation) {
   expect_error("a:\n  \t- 1\n", "E0105", "2:3+1", "a tab in the indentation");
   expect_error("a:\n- b: 1\n\tc: 2\n", "E0105", "3:1+1", "a tab in the indentation");
   expect_error("a:\n  b: 1\n c: 2\n", "E0105", "3:2+1", "expected another `key: value`");
-  expect_error("a: 1\n  b: 2\n", "E0105", "2:4+1", "`:` cannot stand here");
+  expect_error("a: 1\n  b: 2\n", "E0105", "2:4+1", "`:` is not allowed here");
   expect_error("a: 1\n- b\n", "E0105", "2:1+1", "expected another `key: value`");
   expect_error("a:\n  - b\n  c: 1\n", "E0105", "3:3+1", "expected another `key: value`");
   expect_error("- [a]\n  b\n", "E0105", "2:3+1", "expected another `- item`");
 }
 
 TEST(Problems, Colons) {
-  expect_error("ä: b: c\n", "E0105", "1:5+1", "`:` cannot stand here");
-  expect_error("a:1\nb: 2\n", "E0105", "2:2+1", "`:` cannot stand here");
+  expect_error("ä: b: c\n", "E0105", "1:5+1", "`:` is not allowed here");
+  expect_error("a:1\nb: 2\n", "E0105", "2:2+1", "`:` is not allowed here");
 }
 
 TEST(Problems, Brackets) {

@@ -147,7 +147,7 @@ TEST(Rational, GcdAndLcm) {
 /// Fractions small enough for nothing to overflow, their signs and common factors at random.
 class RationalLaws : public testing::Test {
  protected:
-  Rational draw() {
+  Rational sample() {
     return {number_(engine_), std::max<std::int64_t>(1, std::abs(number_(engine_)))};
   }
 
@@ -160,9 +160,9 @@ class RationalLaws : public testing::Test {
 
 TEST_F(RationalLaws, Field) {
   for (int i = 0; i < kCount; ++i) {
-    const Rational a = draw();
-    const Rational b = draw();
-    const Rational c = draw();
+    const Rational a = sample();
+    const Rational b = sample();
+    const Rational c = sample();
     ASSERT_EQ(std::gcd(a.num(), a.den()), 1);
     ASSERT_GT(a.den(), 0);
     ASSERT_EQ(a + b, b + a);
@@ -197,8 +197,8 @@ TEST(Rational, IsTheSameDoubleAsItsDecimal) {
 
 TEST_F(RationalLaws, OrderAgreesWithDoubles) {
   for (int i = 0; i < kCount; ++i) {
-    const Rational a = draw();
-    const Rational b = draw();
+    const Rational a = sample();
+    const Rational b = sample();
     ASSERT_EQ(a < b, a.to_double() < b.to_double());
     ASSERT_EQ(a == b, a.to_double() == b.to_double());
     ASSERT_EQ(a < b, a - b < 0);
@@ -211,8 +211,8 @@ TEST_F(RationalLaws, OrderAgreesWithDoubles) {
 
 TEST_F(RationalLaws, GcdDividesAndLcmIsDivided) {
   for (int i = 0; i < kCount; ++i) {
-    const Rational a = draw();
-    const Rational b = draw();
+    const Rational a = sample();
+    const Rational b = sample();
     if (a == 0 || b == 0) continue;
     const Rational divisor = gcd(a, b);
     const Rational multiple = lcm(a, b);
@@ -227,7 +227,7 @@ TEST_F(RationalLaws, GcdDividesAndLcmIsDivided) {
 
 TEST_F(RationalLaws, TextRoundTrip) {
   for (int i = 0; i < kCount; ++i) {
-    const Rational a = draw();
+    const Rational a = sample();
     ASSERT_EQ(Rational::parse(a.to_string()), a) << a.to_string();
   }
 }

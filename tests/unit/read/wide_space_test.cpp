@@ -18,13 +18,13 @@ std::string problems(const std::string& text) {
 }
 
 TEST(WideSpace, IsNamedWhereItSeparates) {
-  const std::string no_break = " a no-break space (U+00A0) is no separator in YAML\n";
+  const std::string no_break = " a no-break space (U+00A0) is not a separator in YAML\n";
   EXPECT_EQ(problems("rate:\u00a030\n"), "1:6" + no_break);
   EXPECT_EQ(problems("nodes:\n\u00a0 a: 1\n"), "2:1" + no_break);
   EXPECT_EQ(problems("nodes:\n  - \u00a0a\n"), "2:5" + no_break);
   EXPECT_EQ(problems("node: {a: 1,\u00a0b: 2}\n"), "1:13" + no_break);
   EXPECT_EQ(problems("node: {a:\u00a01}\n"), "1:10" + no_break);
-  EXPECT_EQ(problems("a: 1\nb:\u30001\n"), "2:3 this space (U+3000) is no separator in YAML\n");
+  EXPECT_EQ(problems("a: 1\nb:\u30001\n"), "2:3 this space (U+3000) is not a separator in YAML\n");
 }
 
 TEST(WideSpace, IsACharacterInTextsAndComments) {

@@ -41,12 +41,12 @@ TEST(Delays, OfAConnectionTakeThePlaceOfThePorts) {
   EXPECT_EQ(first_input(*graph_of_text(chain("delay: 0.2", ", delay: 0"))).delay_s, Rational());
 }
 
-TEST(Delays, ThatAreDrawnHaveALongestOne) {
-  const auto drawn =
+TEST(Delays, ThatAreSampledHaveALongestOne) {
+  const auto sampled =
       graph_of_text(chain("delay: 0.2", ", delay: {uniform: {low: 0.0, high: 0.125}}"));
-  EXPECT_EQ(first_input(*drawn).delay_s, Rational());
-  EXPECT_EQ(first_input(*drawn).max_delay_s, Rational(1, 8));
-  EXPECT_TRUE(first_input(*drawn).random_delay);
+  EXPECT_EQ(first_input(*sampled).delay_s, Rational());
+  EXPECT_EQ(first_input(*sampled).max_delay_s, Rational(1, 8));
+  EXPECT_TRUE(first_input(*sampled).random_delay);
   EXPECT_EQ(read_graph_text(chain("", ", delay: {normal: {mean: 0.1, std: 0.1}}"))->codes(),
             "E0327");
 }

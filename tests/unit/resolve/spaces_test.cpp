@@ -122,7 +122,7 @@ YamlValue numbers(const std::vector<double>& values) {
   return made_list(std::move(items), {});
 }
 
-TEST(Random, IsDrawnWithinItsSpace) {
+TEST(Random, IsSampledWithinItsSpace) {
   const Space space{Dtype::float32, {2}, {-1.0}, {1.0}};
   using Kind = RandomSpec::Kind;
   struct Row {

@@ -270,7 +270,7 @@ TEST(RigidJoints, ServosFarAboveInertiaPerStepAreStable) {
 }
 
 /// Next to a motor, damping is a torque of the step's beginning.
-TEST(RigidJoints, DampingBesideAMotorIsStable) {
+TEST(RigidJoints, DampingNextToAMotorIsStable) {
   Scene<Wrist, RigidConfig<20>> scene;
   scene.simulator.set_joint_servo(
       0, {.position = 0.0, .stiffness = 500.0, .damping = 20.0, .max_torque = 100.0});

@@ -1,5 +1,5 @@
-// eagerx/lane_random.hpp: every lane draws what Random draws for its episode. extra.cmake compiles
-// this for the instruction set of this machine, too.
+// eagerx/lane_random.hpp: every lane samples what Random samples for its episode. extra.cmake
+// compiles this for the instruction set of this machine, too.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -14,7 +14,7 @@
 namespace {
 
 constexpr std::size_t kEpisodes = eagerx::kRegisterBytes / sizeof(float);
-constexpr std::uint32_t kDrawnEntity = eagerx::entity_id("pendulum/model_state");
+constexpr std::uint32_t kSampledEntity = eagerx::entity_id("pendulum/model_state");
 
 std::uint32_t word_of(float x) {
   return std::bit_cast<std::uint32_t>(x);
@@ -28,17 +28,17 @@ std::vector<eagerx::EpisodeKey> odd_keys(std::uint32_t round, std::size_t count)
   return keys;
 }
 
-TEST(LaneRandom, DrawsWhatEachEpisodeDrawsAlone) {
+TEST(LaneRandom, SamplesWhatEachEpisodeSamplesAlone) {
   for (std::uint32_t round = 0; round < 500; ++round) {
     const auto keys = odd_keys(round, kEpisodes);
-    eagerx::LaneRandom<kEpisodes> together(keys.data(), keys.size(), kDrawnEntity);
+    eagerx::LaneRandom<kEpisodes> together(keys.data(), keys.size(), kSampledEntity);
     std::vector<eagerx::Random> alone;
-    for (const auto& key : keys) alone.emplace_back(key, kDrawnEntity);
+    for (const auto& key : keys) alone.emplace_back(key, kSampledEntity);
     for (int i = 0; i < 11; ++i) {  // more than two blocks of four words
       const float low = -0.05F * static_cast<float>(i), high = 0.7F;
-      const auto drawn = together.uniform(low, high);
+      const auto sampled = together.uniform(low, high);
       for (std::size_t k = 0; k < kEpisodes; ++k)
-        ASSERT_EQ(word_of(lane(drawn, static_cast<int>(k))), word_of(alone[k].uniform(low, high)))
+        ASSERT_EQ(word_of(lane(sampled, static_cast<int>(k))), word_of(alone[k].uniform(low, high)))
             << "lane " << k << ", number " << i;
     }
   }
@@ -50,16 +50,17 @@ TEST(LaneRandom, FewerEpisodesThanLanesAndMessages) {
                                           .high = {{1, 2, 0, 4, 1e30F, -8}}};
   for (std::size_t count = 1; count <= kEpisodes; ++count) {
     const auto keys = odd_keys(7, count);
-    eagerx::LaneRandom<kEpisodes> together(keys.data(), count, kDrawnEntity);
-    std::vector<std::optional<Message>> drawn(count);
+    eagerx::LaneRandom<kEpisodes> together(keys.data(), count, kSampledEntity);
+    std::vector<std::optional<Message>> sampled(count);
     eagerx::sample_lanes(
-        together, kSpace, count, [&](std::size_t k) -> auto& { return drawn[k]; });
+        together, kSpace, count, [&](std::size_t k) -> auto& { return sampled[k]; });
     for (std::size_t k = 0; k < count; ++k) {
-      eagerx::Random alone(keys[k], kDrawnEntity);
+      eagerx::Random alone(keys[k], kSampledEntity);
       const Message message = kSpace.sample(alone);
-      ASSERT_TRUE(drawn[k]);
+      ASSERT_TRUE(sampled[k]);
       for (std::size_t i = 0; i < 6; ++i)
-        EXPECT_EQ(word_of((*drawn[k])[i]), word_of(message[i])) << "lane " << k << ", number " << i;
+        EXPECT_EQ(word_of((*sampled[k])[i]), word_of(message[i]))
+            << "lane " << k << ", number " << i;
     }
   }
 }
@@ -67,13 +68,13 @@ TEST(LaneRandom, FewerEpisodesThanLanesAndMessages) {
 TEST(LaneRandom, ANumberAlone) {
   constexpr eagerx::Space<float> kSpace{.low = 1.0F, .high = 2.0F};
   const auto keys = odd_keys(3, kEpisodes);
-  eagerx::LaneRandom<kEpisodes> together(keys.data(), kEpisodes, kDrawnEntity);
-  std::optional<float> drawn[kEpisodes];
+  eagerx::LaneRandom<kEpisodes> together(keys.data(), kEpisodes, kSampledEntity);
+  std::optional<float> sampled[kEpisodes];
   eagerx::sample_lanes(
-      together, kSpace, kEpisodes, [&](std::size_t k) -> auto& { return drawn[k]; });
+      together, kSpace, kEpisodes, [&](std::size_t k) -> auto& { return sampled[k]; });
   for (std::size_t k = 0; k < kEpisodes; ++k) {
-    eagerx::Random alone(keys[k], kDrawnEntity);
-    EXPECT_EQ(word_of(drawn[k].value()), word_of(kSpace.sample(alone)));
+    eagerx::Random alone(keys[k], kSampledEntity);
+    EXPECT_EQ(word_of(sampled[k].value()), word_of(kSpace.sample(alone)));
   }
 }
 

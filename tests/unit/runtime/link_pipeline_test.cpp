@@ -237,7 +237,7 @@ TEST_F(LinkPipeline, ABadLineChangesNothing) {
   EXPECT_GT(repeated, 500U);
 }
 
-TEST_F(LinkPipeline, NothingBehindWhatDidNotComeIsTold) {
+TEST_F(LinkPipeline, NothingBehindAMissingFrameIsReported) {
   auto hub = std::make_unique<Hub<kEnough>>();
   connect(*hub);
   EXPECT_EQ(hub->run(50, 3), 50U);

@@ -200,7 +200,7 @@ TEST_F(Line, TellsOnceInAnExchangeThatTheBoardIsSilent) {
   EXPECT_EQ(host_->port.now - before, 5'000'000'000U) << "it waits on";
 }
 
-TEST_F(Line, TellsNobodyOfSilenceAfterTheEnd) {
+TEST_F(Line, ReportsNoSilenceAfterTheEnd) {
   start();
   ASSERT_TRUE(host_->open(kIdentity, 1));
   int times = 0;

@@ -25,7 +25,7 @@ using eagerx::test::Numbers;
 constexpr std::size_t kLanes = eagerx::kSimdLanes<float>;
 using Real = eagerx::Simd<float, kLanes>;
 
-/// The inputs of a lane; some lanes have one number that is no ordinary one.
+/// The inputs of a lane; some lanes have one number that is not an ordinary one.
 void fill_lane(std::size_t k, Numbers& numbers, std::span<float> one, Real* simds) {
   constexpr float kOdd[] = {std::numeric_limits<float>::quiet_NaN(),
                             std::numeric_limits<float>::infinity(), -0.0F, 1e-42F};

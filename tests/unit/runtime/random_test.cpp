@@ -32,8 +32,8 @@ static_assert(entity_id("foobar") == 0xbf9cf968U);
 TEST(Random, WordsAreTheBlocksOfItsCounter) {
   constexpr EpisodeKey kKey{0x0123456789abcdefU, 7, 8};
   Random random(kKey, 9);
-  for (std::uint32_t draw = 0; draw < 3; ++draw) {
-    for (const std::uint32_t word : philox4x32({7, 8, 9, draw}, {0x89abcdefU, 0x01234567U})) {
+  for (std::uint32_t sample = 0; sample < 3; ++sample) {
+    for (const std::uint32_t word : philox4x32({7, 8, 9, sample}, {0x89abcdefU, 0x01234567U})) {
       EXPECT_EQ(random.bits32(), word);
     }
   }
@@ -61,7 +61,7 @@ TEST(Random, StepsHaveBlocksOfTheirOwn) {
   EXPECT_EQ(first_words.size(), std::size(steps));
 }
 
-TEST(Random, CopiesDrawTheSame) {
+TEST(Random, CopiesSampleTheSame) {
   Random one({5, 6, 7}, 8);
   one.bits32();
   Random other = one;
@@ -193,7 +193,7 @@ TYPED_TEST(RandomInteger, EveryValueEquallyOften) {
   for (const int count : counts) EXPECT_NEAR(count, kCount / 7, 500);
 }
 
-// With 3/4 of 2^32 (or of 2^63), taking the remainder would draw the lower third twice as often.
+// With 3/4 of 2^32 (or of 2^63), taking the remainder would sample the lower third twice as often.
 TEST(Random, LargeRangesAreUnbiased) {
   constexpr int kCount = 90'000;
   Random random({9, 0, 0}, 0);
@@ -237,7 +237,7 @@ TEST(Random, BelowOneIsZero) {
 }
 
 // A change of these numbers changes every recorded run.
-TEST(Random, DrawsStayTheSame) {
+TEST(Random, SamplesStayTheSame) {
   Random random({42, 1, 2}, entity_id("pendulum/model_state"));
   EXPECT_EQ(random.bits32(), 0xbda37762U);
   EXPECT_EQ(random.uniform(-1.0F, 1.0F), 0x1.394aep-3F);

@@ -73,7 +73,7 @@ TEST(Space, SamplesIntegersAndBools) {
     seen |= 1U << (message[1] - 250);
     heads += kBool.sample(random) ? 1 : 0;
   }
-  EXPECT_EQ(seen, 0x3fU) << "both ends are drawn, and all between";
+  EXPECT_EQ(seen, 0x3fU) << "both ends are sampled, and all between";
   EXPECT_NEAR(heads, 500, 100);
 }
 

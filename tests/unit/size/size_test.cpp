@@ -117,7 +117,7 @@ std::string problem_with_map(const std::optional<std::string>& map) {
 
 TEST(Size, NeedsTheMapOfThisProgram) {
   EXPECT_TRUE(problem_with_map(std::nullopt).starts_with("cannot read `MAP`, which says what of"));
-  EXPECT_EQ(problem_with_map(""), "`MAP:1` is no program map that this eagerx-gen reads");
+  EXPECT_EQ(problem_with_map(""), "`MAP:1` is not a program map that this eagerx-gen reads");
   EXPECT_EQ(problem_with_map(map_of(kProgram) + "nod x y\n").substr(0, 4), "`MAP");
   EXPECT_TRUE(
       problem_with_map(map_of("another program\n")).starts_with("`MAP` was not made with this `"));

@@ -115,7 +115,7 @@ std::string problem_in_graph(const std::string& text) {
   return problem_in(json_of(tree), Json::parse(schema_text()), "graph");
 }
 
-TEST(Schema, IsTheOneBesideTheExamples) {
+TEST(Schema, IsTheOneInExamples) {
   EXPECT_EQ(schema_text(), file_text("examples/graph.schema.json"))
       << "write it again: eagerx-gen schema > examples/graph.schema.json";
 }

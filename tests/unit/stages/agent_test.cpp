@@ -21,7 +21,7 @@ TEST(Agent, NamesTellTheOrderOfTheTraining) {
   EXPECT_TRUE(found->renamed.empty());
 }
 
-TEST(Agent, AnotherNameIsToldByItsSize) {
+TEST(Agent, AnotherNameIsRecognizedByItsSize) {
   const auto found = order({{"angle", 2}, {"speed", 1}}, {{"speed", 1}, {"tilt", 2}});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->names, (Names{"tilt", "speed"}));

@@ -51,16 +51,16 @@ TEST_F(CampaignPlotTest, ColumnsThatDifferAreKept) {
   EXPECT_FALSE(campaign::campaign_svg(*read).empty());
 }
 
-TEST_F(CampaignPlotTest, WhatIsNoTableIsToldWithItsLine) {
+TEST_F(CampaignPlotTest, WhatIsNoTableIsReportedWithItsLine) {
   const std::string row = "0,-1.5,10,1,0,1\n";
   for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
-           {"seed,steps\n", "line 1: this is no table"},
+           {"seed,steps\n", "line 1: this is not a table"},
            {kColumns + "\n", "there are no runs"},
            {kColumns + "\n0,-1.5,10\n", "line 2: it has 3 cells"},
            {kColumns + "\n" + row + row, "line 3: run 1 is expected"},
-           {kColumns + "\n0,x,10,1,0,1\n", "line 2: `return` is no number"},
+           {kColumns + "\n0,x,10,1,0,1\n", "line 2: `return` is not a number"},
            {kColumns + "\n0,1,10,yes,0,1\n", "line 2: `success` is 0 or 1"},
-           {kColumns + ",state:a\n0,1,10,1,0,1,b\n", "line 2: `a` is no number"}}) {
+           {kColumns + ",state:a\n0,1,10,1,0,1,b\n", "line 2: `a` is not a number"}}) {
     problem_.clear();
     EXPECT_FALSE(table(text));
     EXPECT_NE(problem_.find(said), std::string::npos) << problem_;

@@ -123,7 +123,7 @@ TEST(CommandLine, PagesHaveEveryCommandAndOption) {
 }
 
 // Most of the generator is compiled without exceptions: what would throw aborts.
-TEST(Bugs, AreToldHoweverTheyEndTheProgram) {
+TEST(Bugs, AreReportedHoweverTheyEndTheProgram) {
   EXPECT_EQ(reporting_bugs("tool", [] { return 7; }), 7);
   EXPECT_EXIT(reporting_bugs("tool", []() -> int { std::abort(); }),
               testing::ExitedWithCode(kInternal),

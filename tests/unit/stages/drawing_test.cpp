@@ -79,7 +79,7 @@ TEST(Drawing, BoxesLieApartAndWiresEndAtPorts) {
   }
 }
 
-TEST(Drawing, TextsOfOthersStayTexts) {
+TEST(Drawing, ForeignTextStaysText) {
   Drawing what = drawing(swing());
   what.title = what.boxes[0].name = what.boxes[0].about = "</text><script>\"|{}]-->";
   const std::string svg = drawing_text(what, DrawingFormat::svg);

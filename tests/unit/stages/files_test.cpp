@@ -73,13 +73,14 @@ TEST_F(FilesTest, AMissingFileHasANearNameOrAFewOfItsKindOrNoFolder) {
   EXPECT_EQ(help_for_missing(at("grahp.yaml"), "sub/grahp.yaml").text,
             "did you mean `sub/graph.yaml`?");
   EXPECT_EQ(help_for_missing(at("grap.yml"), "grap.yml").text, "did you mean `graph.yaml`?");
-  EXPECT_EQ(help_for_missing(at("x.yaml"), "x.yaml").text, "there is `graph.yaml`");
+  EXPECT_EQ(help_for_missing(at("x.yaml"), "x.yaml").text, "available: `graph.yaml`");
   EXPECT_EQ(help_for_missing(at("x.onnx"), "x.onnx").text, "");
   EXPECT_EQ(help_for_missing(at("no/graph.yaml"), "no/graph.yaml").text, "there is no folder `no`");
   // A long end makes nothing near.
   const std::string other = folder_.file("a.manifest", "x");
   EXPECT_EQ(help_for_missing(other, "a.manifest").text, "");
-  EXPECT_EQ(help_for_missing(at("motor.manifest"), "motor.manifest").text, "there is `a.manifest`");
+  EXPECT_EQ(help_for_missing(at("motor.manifest"), "motor.manifest").text,
+            "available: `a.manifest`");
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(Fit, SaysTheBusiestSlotInOneLine) {
       "the slot of 1000 Hz, 500 Hz, 100 Hz takes up to 46.0 % of its time, 460.0 us of 1000.0 us");
 }
 
-TEST(Fit, TakesTheLongestSlotWhereSlotsAreNotToldApart) {
+TEST(Fit, TakesTheLongestOfIndistinguishableSlots) {
   const auto graph = cascade();
   BoundReport any = report();
   any.slots = {{row("any slot", 3000), std::nullopt}};

@@ -18,7 +18,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-TEST(Process, ItsOutputAndExitCodeAreTold) {
+TEST(Process, ItsOutputAndExitCodeAreReported) {
   const auto result = run_process({"sh", "-c", "echo out; echo err >&2; exit 7"});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->exit_code, 7);
@@ -119,7 +119,7 @@ TEST(Companions, EndWithTheProcessHoweverItEnds) {
   }
 }
 
-TEST(Companions, OneThatEndsIsTold) {
+TEST(Companions, OneThatEndsIsReported) {
   const TestFolder outer;
   const std::string& kept = outer.path();
   const std::string folder = kept + "/of_companions";

@@ -72,7 +72,7 @@ TEST(Quote, ACommentStaysOnItsLineAndEndsNone) {
       << "what turns the line around is seen";
 }
 
-TEST(Quote, XmlHasNoMarkupOfOthers) {
+TEST(Quote, XmlHasNoForeignMarkup) {
   EXPECT_EQ(xml_text("<a b=\"c\">&'"), "&lt;a b=&quot;c&quot;&gt;&amp;&#39;");
 }
 

@@ -95,7 +95,7 @@ TEST_F(Serve, WritesWhereTheExpectedTextIs) {
 
 TEST_F(Serve, SaysWhatCannotBeReadOrWritten) {
   EXPECT_EQ(GraphFile(folder_.string()).read().problem, "it is a folder");
-  EXPECT_EQ(GraphFile("/dev/null").read().problem, "it is no file");
+  EXPECT_EQ(GraphFile("/dev/null").read().problem, "it is not a file");
   GraphFile nowhere((folder_ / "no/graph.yaml").string());
   EXPECT_EQ(nowhere.write(std::nullopt, "x"), GraphFile::Written::failed);
   EXPECT_EQ(nowhere.problem(), "No such file or directory");
@@ -202,7 +202,7 @@ TEST_F(Serve, CountsPlacesInUtf16) {
   EXPECT_EQ(number_of(member(&problem, "end")), 15.0);
 }
 
-TEST_F(Serve, OutlinesWhatIsHalfWritten) {
+TEST_F(Serve, OutlinesIncompleteText) {
   const Json outline = outline_json(
       "name: a\nobjects:\n  arm: {type: Arm, sensors: [q]\nnodes:\n  pid:\n    rate: 30\n"
       "observations: [x]\nconnections:\n- {from: arm.q, to: observations.x, delay: {uniform: "

@@ -49,7 +49,7 @@ TEST_F(LogsTest, EqualLogsAreEqual) {
   EXPECT_EQ(same.text, "equal: 4 messages\n");
 }
 
-TEST_F(LogsTest, TheFirstDifferenceIsToldWithItsPlace) {
+TEST_F(LogsTest, TheFirstDifferenceIsReportedWithItsPlace) {
   std::string other = kWhole;
   other.replace(other.find("1.5,-2"), 6, "1.5,-3");
   const Comparison different = compare(kWhole, other);

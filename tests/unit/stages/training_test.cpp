@@ -148,14 +148,15 @@ TEST_F(Training, RecordsThatAreNone) {
             "1: another version of eagerx-gen has written it");
   EXPECT_EQ(problem(kTrainingHead + kTrainingRow.substr(0, 20)), "2: the file is cut off");
   EXPECT_EQ(problem(kTrainingHead + kTrainingRow.substr(0, 20) + "\n"),
-            "2: it is no object of JSON");
+            "2: it is not a JSON object");
   EXPECT_EQ(problem(kTrainingHead + kTrainingRow + kTrainingRow),
             "3: its steps are not more than those before");
   EXPECT_EQ(problem(kTrainingHead + kTrainingEnd + kTrainingRow),
             "3: this training had ended before");
-  EXPECT_EQ(problem(kTrainingHead + "{\"seed\":1,\"steps\":\"ten\"}\n"), "2: `steps` is no number");
+  EXPECT_EQ(problem(kTrainingHead + "{\"seed\":1,\"steps\":\"ten\"}\n"),
+            "2: `steps` is not a number");
   EXPECT_EQ(problem(kTrainingHead + "{\"seed\":-1,\"steps\":1}\n"),
-            "2: `seed` is no whole number from 0 to 4611686018427387904");
+            "2: `seed` is not a whole number from 0 to 4611686018427387904");
   EXPECT_EQ(problem(kTrainingHead + "{\"seed\":1,\"steps\":1,\"terms\":[1]}\n"),
             "2: `terms` are not 2 numbers");
   EXPECT_EQ(problem(kTrainingHead + "{\"seed\":1,\"ended\":\"well\"}\n"), "2: `ended`");
@@ -214,11 +215,11 @@ TEST_F(Training, TablesThatAreNone) {
   const std::string head = "seed,steps,return\n";
   EXPECT_EQ(problem("a,b\n1,2\n"), "1: nothing that a training has written begins so");
   EXPECT_EQ(problem(head + "1,10\n"), "2: it has 2 cells, and the first line has 3");
-  EXPECT_EQ(problem(head + "1,10,-1\n1,20,x\n"), "3: `return` is no number");
-  EXPECT_EQ(problem(head + "1,10,nan\n"), "2: `return` is no number");
+  EXPECT_EQ(problem(head + "1,10,-1\n1,20,x\n"), "3: `return` is not a number");
+  EXPECT_EQ(problem(head + "1,10,nan\n"), "2: `return` is not a number");
   EXPECT_EQ(problem(head + "1,10,-1\n1,10,-1\n"), "3: its steps are not more than those before");
   EXPECT_EQ(problem(head + "1,10,-1"), "2: the file is cut off");
-  EXPECT_EQ(problem(head + "one,10,-1\n"), "2: `seed` is no whole number");
+  EXPECT_EQ(problem(head + "one,10,-1\n"), "2: `seed` is not a whole number");
 }
 
 // One that has ended stays as it was: at 30 the first is still at -8.
@@ -247,7 +248,7 @@ TEST_F(Training, ALongCurveKeepsItsPeaks) {
   EXPECT_EQ(numbers(member(&first, "x")).back(), 9999) << "the last point is there";
 }
 
-TEST_F(Training, SettingsBesideTheirDefaults) {
+TEST_F(Training, SettingsNextToTheirDefaults) {
   const Json settings = settings_json("layers 8; clip 0.20; batch_size 256; future 7", "ppo");
   const auto& rows = *settings.as<Json::List>();
   ASSERT_EQ(rows.size(), 3) << "not those of another algorithm";
@@ -286,7 +287,7 @@ std::string sweep_over(const std::vector<std::string>& values) {
   return text + "\n";
 }
 
-// What is no number has no place among numbers: sorting would not end well.
+// What is not a number has no place among numbers: sorting would not end well.
 TEST_F(Training, ASweepOverWhatIsNoNumber) {
   std::vector<std::string> values;
   for (int i = 0; i < 40; ++i) values.push_back(i % 3 == 1 ? "nan" : std::to_string(40 - i));
@@ -328,7 +329,8 @@ TEST_F(Training, SweepsThatAreNone) {
   EXPECT_EQ(problem(kSweep + "0,\"clip=0.1\",1,0,100\n"), "2: it has 5 cells instead of 10");
   EXPECT_EQ(problem(kSweep + "0,\"clip\",1,0,100,10,40,-9,1,\"\"\n"),
             "2: `settings` are not NAME=VALUE");
-  EXPECT_EQ(problem(kSweep + "0,\"clip=1\",1,0,inf,10,40,-9,1,\"\"\n"), "2: `steps` is no number");
+  EXPECT_EQ(problem(kSweep + "0,\"clip=1\",1,0,inf,10,40,-9,1,\"\"\n"),
+            "2: `steps` is not a number");
   EXPECT_EQ(
       problem(kSweep + "0,\"clip=1\",1,0,1,10,40,-9,1,\"\"\n0,\"horizon=1\",1,0,1,1,1,1,1,\"\"\n"),
       "3: it has other settings");

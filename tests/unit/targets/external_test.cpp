@@ -61,15 +61,15 @@ TEST(ExternalRows, StatesAreCheckedAndReadAsTheirDecimals) {
   const ExternalRows rows(fields);
   const StateMemory states(fields.states);
   program.sample({}, states.row());
-  const bool* const drawn = states.row().has_value;
+  const bool* const sampled = states.row().has_value;
   const auto problem = [&](std::array<float, 3> row) {  // at, delay
-    return rows.problem_of_states(row.data(), drawn);
+    return rows.problem_of_states(row.data(), sampled);
   };
   EXPECT_EQ(problem({kNone, kNone, kNone}), "");
   EXPECT_EQ(problem({1.0F, kNone, kNone}), "`at` is not sampled: set all of its elements, or none");
   EXPECT_EQ(problem({kNone, kNone, 0.6F}), "`delay` is out of its space: element 0 is 0.6");
   const std::array<float, 3> row{kNone, kNone, 0.1F};
-  ASSERT_EQ(rows.problem_of_states(row.data(), drawn), "");
+  ASSERT_EQ(rows.problem_of_states(row.data(), sampled), "");
   rows.read_states(row.data(), states.row());
   EXPECT_EQ(*static_cast<double*>(states.row().messages[0]), 0.1);
   EXPECT_FALSE(states.row().has_value[1]);
@@ -96,7 +96,7 @@ TEST(ExternalProtocol, EachRequestHasItsSize) {
 }
 
 /// An agent whose program is the test.
-class Outside : public testing::Test {
+class ExternalAgent : public testing::Test {
  protected:
   void SetUp() override {
     std::array<int, 2> both{};
@@ -134,13 +134,13 @@ class Outside : public testing::Test {
   int mine = -1;
   std::uint64_t asked = 0;  // numbers of requests
   static inline const std::vector<float> kAction{1.0F, 1.0F, 1.0F, 1.0F};
-  static inline const std::vector<float> kDrawn{kNone, kNone, kNone};
+  static inline const std::vector<float> kSampled{kNone, kNone, kNone};
 };
 
-TEST_F(Outside, StepsWithoutAnActionAreCountedAndSummed) {
+TEST_F(ExternalAgent, StepsWithoutAnActionAreCountedAndSummed) {
   ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
-  ask(Ask::reset, kDrawn, 1);
+  ask(Ask::reset, kSampled, 1);
   ASSERT_TRUE(agent.go_on());
   ASSERT_TRUE(agent.wants_reset());
   EXPECT_EQ(agent.key({1, 2, 7}).seed, 9U);
@@ -168,10 +168,10 @@ TEST_F(Outside, StepsWithoutAnActionAreCountedAndSummed) {
   EXPECT_FALSE(agent.leaves_something());
 }
 
-TEST_F(Outside, AnEndThatTheAgentWasLateForIsTold) {
+TEST_F(ExternalAgent, AnEndThatTheAgentWasLateForIsReported) {
   ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
-  ask(Ask::reset, kDrawn);
+  ask(Ask::reset, kSampled);
   ASSERT_TRUE(agent.go_on());
   agent.reset(0);
   ASSERT_TRUE(agent.go_on());
@@ -179,7 +179,7 @@ TEST_F(Outside, AnEndThatTheAgentWasLateForIsTold) {
   agent.step(1, true, false, {});
   ask(Ask::step, kAction);
   ask(Ask::step, kAction);
-  ask(Ask::reset, kDrawn);
+  ask(Ask::reset, kSampled);
   ASSERT_TRUE(agent.go_on());
   const Answer end = answer();
   EXPECT_EQ(end.late, 1U);
@@ -190,7 +190,7 @@ TEST_F(Outside, AnEndThatTheAgentWasLateForIsTold) {
   EXPECT_TRUE(agent.wants_reset());
 }
 
-TEST_F(Outside, AnswersQuestionsAndRefusesWhatIsNone) {
+TEST_F(ExternalAgent, AnswersQuestionsAndRefusesWhatIsNone) {
   ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
   for (const Ask what : {Ask::counts, Ask::hash, Ask::picture, Ask::describe}) ask(what);
@@ -207,12 +207,12 @@ TEST_F(Outside, AnswersQuestionsAndRefusesWhatIsNone) {
   EXPECT_NE(agent.problem().find("its row of actions has another size"), std::string::npos);
 }
 
-TEST_F(Outside, ParametersAreThoseOfTheNextStep) {
+TEST_F(ExternalAgent, ParametersAreThoseOfTheNextStep) {
   ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
   std::string text;
   ask(Ask::tune, {1.0F, 2.0F, kNone});  // at, delay
-  ask(Ask::reset, kDrawn);
+  ask(Ask::reset, kSampled);
   ASSERT_TRUE(agent.go_on());
   EXPECT_EQ(answer(&text).said, AnswerKind::problem);
   EXPECT_NE(text.find("no episode has begun"), std::string::npos) << text;
@@ -235,10 +235,10 @@ TEST_F(Outside, ParametersAreThoseOfTheNextStep) {
   EXPECT_FALSE(agent.apply_parameters(states.row()));
 }
 
-TEST_F(Outside, AnAgentThatIsGoneInAnEpisodeLeavesSomething) {
+TEST_F(ExternalAgent, AnAgentThatIsGoneInAnEpisodeLeavesSomething) {
   ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
-  ask(Ask::reset, kDrawn);
+  ask(Ask::reset, kSampled);
   ASSERT_TRUE(agent.go_on());
   agent.reset(0);
   shutdown(mine, SHUT_RDWR);
@@ -247,11 +247,11 @@ TEST_F(Outside, AnAgentThatIsGoneInAnEpisodeLeavesSomething) {
   EXPECT_EQ(agent.problem(), "");
 }
 
-TEST_F(Outside, HardwareNeedsToKnowWhatIsLate) {
+TEST_F(ExternalAgent, HardwareNeedsToKnowWhatIsLate) {
   program.moves_hardware = true;
   program.known.safety.declared = false;
   ExternalAgent agent(options, fields, program, true);
-  EXPECT_NE(agent.open().find("moves real hardware"), std::string::npos);
+  EXPECT_NE(agent.open().find("drives real hardware"), std::string::npos);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(Faults, OtherTextsAreNone) {
     EXPECT_FALSE(parse_fault(text)) << text;
 }
 
-TEST(Faults, ActFromAStepForSoMany) {
+TEST(Faults, ActFromAStepForNSteps) {
   const auto fault = parse_fault("u=nan@4+2");
   ASSERT_TRUE(fault);
   for (const Seq step : {0U, 3U, 6U, 7U}) EXPECT_FALSE(fault->acts(step)) << step;
@@ -73,7 +73,7 @@ TEST(Faults, OfNothingAreRefused) {
             "`u` is an observation and an action: write `observations.u` or `actions.u`");
   EXPECT_EQ(place("gear=nan"), "`gear` has whole numbers: such a message can only be `silent`");
   for (const char* text : {"angle[2]=nan", "angle[]=nan", "angle[0=nan", "torque=nan", "ang=nan"})
-    EXPECT_NE(place(text).find("there is observations.angle (2 numbers), observations.u"),
+    EXPECT_NE(place(text).find("available: observations.angle (2 numbers), observations.u"),
               std::string::npos)
         << place(text);
   for (const char* text : {"angles=nan", "anlge[1]=nan"})

@@ -88,11 +88,11 @@ TEST_F(KnownPeer, IsLetInPastStrangersAndOneWithAnotherKey) {
   std::vector<int> strangers;
   for (const char* says : {"", "eagerx", "GET / HTTP/1.1\r\n\r\n"})
     for (int i = 0; i < 20; ++i) strangers.push_back(stranger(says));
-  EXPECT_NE(note_number(1).find("note: a stranger "), std::string::npos);
+  EXPECT_NE(note_number(1).find("note: dropped a peer that "), std::string::npos);
   LinkPort other;
   other.use_key(key_with(2));
   EXPECT_FALSE(other.open(address(), 0));
-  EXPECT_NE(other.error().find("has not this key"), std::string::npos) << other.error();
+  EXPECT_NE(other.error().find("does not have this key"), std::string::npos) << other.error();
   connect_known();
   for (const int file : strangers) close(file);
   connecting.put('a');

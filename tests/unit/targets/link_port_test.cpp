@@ -98,7 +98,7 @@ TEST_F(Sockets, ALineIsOpenedAgainAndNothingOfTheOldOneIsLeft) {
   EXPECT_EQ(host.get(), link::kClosed);
 }
 
-TEST_F(Sockets, NobodyIsWaitedForLongerThanTold) {
+TEST_F(Sockets, NoPeerIsWaitedForBeyondTheTimeout) {
   LinkPort port;
   port.notice_cuts(50'000'000);
   EXPECT_FALSE(port.listen("unix:" + path, say));
@@ -108,7 +108,7 @@ TEST_F(Sockets, NobodyIsWaitedForLongerThanTold) {
 }
 
 // A stopped process accepts no connection, and connect() would wait until it does.
-TEST_F(Sockets, OneThatAcceptsNobodyIsNotWaitedFor) {
+TEST_F(Sockets, APeerThatDoesNotAcceptIsNotWaitedFor) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   path.copy(address.sun_path, sizeof address.sun_path - 1);
@@ -191,7 +191,7 @@ TEST(SerialLine, IsOpenedExclusively) {
 }
 
 // A peer that does not read: the deadline of its answer is not put off until it does.
-TEST_F(Sockets, NobodyWaitsForAPeerThatDoesNotRead) {
+TEST_F(Sockets, WritersDoNotWaitForAPeerThatDoesNotRead) {
   LinkPort port;
   std::thread listener([&] { EXPECT_TRUE(port.listen("unix:" + path, say)) << port.error(); });
   wait_until_said(1);

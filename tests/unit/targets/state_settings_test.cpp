@@ -45,7 +45,7 @@ TEST_F(Settings, WhatAnEpisodeCannotChangeIsRefused) {
             "help: leave out `@5`; while it runs one can set at");
   for (const char* text : {"at=1@", "at=1@-1", "at=1@1.5", "at=1@18446744073709551616", "at=@1",
                            "at=uniform:1,2@3", "at=1@2@3"}) {
-    EXPECT_NE(settings.read({text}).find("is no setting"), std::string::npos) << text;
+    EXPECT_NE(settings.read({text}).find("is not a setting"), std::string::npos) << text;
   }
 }
 

@@ -188,7 +188,7 @@ TEST_F(TrainTraining, ACheckpointOfAnotherTrainingIsRefused) {
   EXPECT_NE(said_by([&] { Training(other, pendulum()); }).find("was written by another version"),
             std::string::npos);
   write_file(first.checkpoint, "something else");
-  EXPECT_NE(said_by([&] { Training(other, pendulum()); }).find("is no checkpoint"),
+  EXPECT_NE(said_by([&] { Training(other, pendulum()); }).find("is not a checkpoint"),
             std::string::npos);
 }
 }  // namespace

@@ -37,7 +37,7 @@ TEST_F(TrainCurveFile, IsWrittenAtOnceAndThenEachSecond) {
   EXPECT_EQ(grown(1.3, "three"), "three");
 }
 
-TEST_F(TrainCurveFile, AFullDiskIsToldOnceAndTriedAgain) {
+TEST_F(TrainCurveFile, AFullDiskIsReportedOnceAndTriedAgain) {
   CurveFile file(path("curve.csv"));
   const auto text = [] { return "rows"; };
   fs::create_directories(path("curve.csv"));  // nothing can be written there

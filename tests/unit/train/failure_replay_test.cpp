@@ -43,7 +43,7 @@ TEST(FailureReplay, AreTheRunsThatFailed) {
   EXPECT_EQ(starts.at(1)[1], -8.5F);
 }
 
-TEST(FailureReplay, WhatNobodyHasSetIsDrawn) {
+TEST(FailureReplay, UnsetStatesAreSampled) {
   const FailureReplay starts(std::string(kRunsHead) + "1,-9,150,0,0,1,,7.5\n", "runs.csv",
                              pendulum().description());
   EXPECT_TRUE(std::isnan(starts.at(0)[0]));
@@ -51,19 +51,19 @@ TEST(FailureReplay, WhatNobodyHasSetIsDrawn) {
 
 TEST(FailureReplay, OtherFilesAreRefused) {
   EXPECT_EQ(said(table()), "2 starts");
-  EXPECT_EQ(said(""), "`runs.csv` is no table of a campaign, or cut off");
-  EXPECT_EQ(said("steps,return\n"), "`runs.csv` is no table of a campaign");
+  EXPECT_EQ(said(""), "`runs.csv` is not a table of a campaign, or cut off");
+  EXPECT_EQ(said("steps,return\n"), "`runs.csv` is not a table of a campaign");
   EXPECT_EQ(said(table().substr(0, table().size() - 3)),
-            "`runs.csv` is no table of a campaign, or cut off");
+            "`runs.csv` is not a table of a campaign, or cut off");
   EXPECT_EQ(said(std::string(kRunsHead) + "0,-1,150,1,0,1,0.5,0.25\n"),
             "`runs.csv` has no run that failed");
   EXPECT_EQ(said(std::string(kRunsHead) + "1,-9,150,0,0,1,3\n"),
-            "`runs.csv` is damaged: line 2 is no run");
+            "`runs.csv` is damaged: line 2 is not a run");
   EXPECT_EQ(said(std::string(kRunsHead) + "1,-9,150,2,0,1,3,4\n"),
-            "`runs.csv` is damaged: line 2 is no run");
+            "`runs.csv` is damaged: line 2 is not a run");
   for (const char* number : {"x", "nan", "inf", "1e99", "3 "})
     EXPECT_EQ(said(std::string(kRunsHead) + "1,-9,150,0,0,1,3," + number + "\n"),
-              std::string("`runs.csv` is damaged: line 2: `") + number + "` is no number");
+              std::string("`runs.csv` is damaged: line 2: `") + number + "` is not a number");
   const std::string first = "run,return,steps,success,terminated,truncated";
   EXPECT_EQ(said(first + ",state:arm.angle\n"),
             "`runs.csv` is of a graph with other states: `state:pendulum.model_state[0]` is not "
@@ -105,7 +105,7 @@ std::vector<std::vector<float>> angles(const Settings& settings, int episodes) {
 TEST(FailureReplay, AShareOfTheEnvironmentsBeginsThere) {
   Settings settings;
   settings.failure_replay_fraction = 0.25;
-  const auto drawn = angles(settings, 6);
+  const auto sampled = angles(settings, 6);
   settings.failure_replay =
       std::make_shared<const FailureReplay>(table(), "runs.csv", pendulum().description());
   const auto hard = angles(settings, 6);
@@ -115,7 +115,7 @@ TEST(FailureReplay, AShareOfTheEnvironmentsBeginsThere) {
       if (e == 3 || e == 7) {
         of_hard.insert(std::round(hard[episode][e]));
       } else {
-        EXPECT_EQ(hard[episode][e], drawn[episode][e]) << episode << ", environment " << e;
+        EXPECT_EQ(hard[episode][e], sampled[episode][e]) << episode << ", environment " << e;
       }
     }
   }

@@ -17,7 +17,7 @@ const Network& odd() {
 std::vector<float> parameters() {
   std::vector<float> result = odd().sampled(Random({7, 0, 0}, 1), 1.0F);
   Random random({8, 0, 0}, 1);
-  for (float& x : result) x += random.normal(0.0F, 0.1F);  // biases are drawn too
+  for (float& x : result) x += random.normal(0.0F, 0.1F);  // biases are sampled too
   return result;
 }
 

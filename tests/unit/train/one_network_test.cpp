@@ -21,7 +21,7 @@ class TrainOneNetwork : public testing::TestWithParam<Kind> {};
 
 Description description_of(std::size_t inputs, std::size_t outputs) {
   Description result;
-  result.graph = "drawn";
+  result.graph = "sampled";
   result.hash = "0x0123456789abcdef";
   result.rate_hz = 30.0;
   result.observations = {

@@ -334,7 +334,7 @@ TEST(TrainExport, AFirstChoiceThatIsNoWholeNumberIsRefused) {
   EXPECT_EQ(diagnostics.all().front().code, std::string("E0626"));
 }
 
-TEST(TrainExport, GoldenRowsLieBesideThePolicy) {
+TEST(TrainExport, GoldenRowsAreNextToThePolicy) {
   EXPECT_EQ(golden_path("a/policy.safetensors"), "a/policy.golden.csv");
   EXPECT_EQ(golden_path("policy"), "policy.golden.csv");
 }

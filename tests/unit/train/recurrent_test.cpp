@@ -28,7 +28,7 @@ class TrainRecurrent : public testing::TestWithParam<Memory> {
   std::vector<float> parameters() const {
     std::vector<float> result = network_.sampled(Random({7, 0, 0}, 1), 1.0F);
     Random random({8, 0, 0}, 1);
-    for (float& x : result) x += random.normal(0.0F, 0.2F);  // biases are drawn too
+    for (float& x : result) x += random.normal(0.0F, 0.2F);  // biases are sampled too
     return result;
   }
 
@@ -36,13 +36,13 @@ class TrainRecurrent : public testing::TestWithParam<Memory> {
   Simds sequence() const {
     Random random({9, 0, 0}, 1);
     Simds rows(kSteps * network_.row());
-    const auto draw = [&](Simd& simd) {
+    const auto sample = [&](Simd& simd) {
       for (float& x : simd.lane) x = random.normal(0.0F, 1.0F);
     };
     for (std::size_t t = 0; t < kSteps; ++t) {
-      for (std::size_t i = 0; i < kInputs; ++i) draw(rows[t * network_.row() + i]);
+      for (std::size_t i = 0; i < kInputs; ++i) sample(rows[t * network_.row() + i]);
     }
-    for (std::size_t i = 0; i < cell_.shape().state(); ++i) draw(rows[cell_.before() + i]);
+    for (std::size_t i = 0; i < cell_.shape().state(); ++i) sample(rows[cell_.before() + i]);
     return rows;
   }
 
@@ -158,8 +158,8 @@ double loss(const Network& network, const Values& weights, const Simds& rows,
 TEST_P(TrainRecurrent, GradientIsTheDifferenceOfLosses) {
   constexpr double kStep = 1e-5;
   const std::vector<float> ours = gradient(*kernels_here().back());
-  const std::vector<float> drawn = parameters();
-  Values weights(drawn.begin(), drawn.end());
+  const std::vector<float> sampled = parameters();
+  Values weights(sampled.begin(), sampled.end());
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const double before = weights[i];
     weights[i] = before + kStep;

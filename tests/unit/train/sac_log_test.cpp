@@ -69,12 +69,12 @@ TEST(TrainSacLog, OtherTablesAreRefused) {
   EXPECT_EQ(ReadLog(kHeader + "0,0\n").problem, "`run.csv`, line 2: 2 cells, not 12");
   std::string wrong = kHeader + kRows;
   wrong.replace(wrong.find("0.25"), 4, "fast");
-  EXPECT_EQ(ReadLog(wrong).problem, "`run.csv`, line 3: `fast` is no number");
+  EXPECT_EQ(ReadLog(wrong).problem, "`run.csv`, line 3: `fast` is not a number");
   wrong = kHeader + kRows;
   wrong.replace(wrong.find("angle[1]"), 8, "tilt");
   EXPECT_EQ(ReadLog(wrong).problem, "`run.csv`, line 1: there is 1 column of `angle`, not 2");
   EXPECT_EQ(ReadLog(kHeader + "-1,0,0,1,0,0.5,,,,,,\n").problem,
-            "`run.csv`, line 2: `-1` is no whole number");
+            "`run.csv`, line 2: `-1` is not a whole number");
 }
 
 }  // namespace

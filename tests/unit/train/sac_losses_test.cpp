@@ -90,7 +90,7 @@ std::vector<double> answers(const Network& network, const std::vector<double>& p
   return x;
 }
 
-/// The losses of three transitions, with the noise that a learner draws, in double.
+/// The losses of three transitions, with the noise that a learner samples, in double.
 class TrainSacLosses : public testing::Test {
  protected:
   static constexpr float kScale = 0.7F, kTemperature = 0.3F;
@@ -113,23 +113,23 @@ class TrainSacLosses : public testing::Test {
     }
     for (std::size_t l = 0; l < kLanes; ++l) places_.push_back(l % 3);
     Random noise = random_;
-    for (auto* drawn : {&next_noise_, &noise_}) {  // numbers first, then samples
-      drawn->resize(kNumbers * kLanes);
-      for (double& x : *drawn) x = noise.normal(0.0F, 1.0F);
+    for (auto* sampled : {&next_noise_, &noise_}) {  // numbers first, then samples
+      sampled->resize(kNumbers * kLanes);
+      for (double& x : *sampled) x = noise.normal(0.0F, 1.0F);
     }
     learner_.learn({*kernels_here().back(), settings_, model_, Normaliser(model_.observations),
                     kScale, kTemperature},
                    places_, random_);
   }
 
-  struct Drawn {
+  struct Sampled {
     std::vector<double> action;
     double log_probability = 0.0;
   };
-  Drawn drawn(const std::vector<double>& actor, const std::vector<double>& observation,
-              const std::vector<double>& noise, std::size_t lane) const {
+  Sampled sampled(const std::vector<double>& actor, const std::vector<double>& observation,
+                  const std::vector<double>& noise, std::size_t lane) const {
     const auto out = answers(model_.actor, actor, observation);
-    Drawn result;
+    Sampled result;
     for (std::size_t j = 0; j < kNumbers; ++j) {
       const double log_deviation = -5.0 + 3.5 * (std::tanh(out[kNumbers + j]) + 1.0);
       const double e = noise[j * kLanes + lane];
@@ -152,7 +152,7 @@ class TrainSacLosses : public testing::Test {
     double sum = 0.0;
     for (std::size_t l = 0; l < kLanes; ++l) {
       const auto observation = row(model_.memory.at(places_[l]).observation);
-      const Drawn one = drawn(actor, observation, noise_, l);
+      const Sampled one = sampled(actor, observation, noise_, l);
       double least = std::numeric_limits<double>::infinity();
       for (const sac::Critic& critic : model_.critics)
         least = std::min(least, value(to_double(critic.parameters), observation, one.action));
@@ -164,7 +164,7 @@ class TrainSacLosses : public testing::Test {
     double sum = 0.0;
     for (std::size_t l = 0; l < kLanes; ++l) {
       const sac::Transition t = model_.memory.at(places_[l]);
-      const Drawn one = drawn(to_double(model_.actor_parameters), row(t.next), next_noise_, l);
+      const Sampled one = sampled(to_double(model_.actor_parameters), row(t.next), next_noise_, l);
       double least = std::numeric_limits<double>::infinity();
       for (const sac::Critic& each : model_.critics)
         least = std::min(least, value(to_double(each.target), row(t.next), one.action));

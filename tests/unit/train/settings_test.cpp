@@ -153,7 +153,7 @@ TEST(TrainSettings, SequencesOfAMemoryFitIntoTheHorizon) {
   EXPECT_EQ(checked("32", 128), "");
   EXPECT_EQ(checked("32", 64),
             "n_steps: 32 of 64 environments are 2048 steps, no multiple of 128 * bptt_steps");
-  EXPECT_EQ(checked("5", 128), "n_steps: 32 is no multiple of bptt_steps, 5");
+  EXPECT_EQ(checked("5", 128), "n_steps: 32 is not a multiple of bptt_steps, 5");
 }
 
 TEST(TrainSettings, OnTheCommandLine) {
@@ -175,7 +175,7 @@ TEST(TrainSettings, OnTheCommandLine) {
   EXPECT_EQ(parse({"--setting", "batch_size=256"}),
             "batch_size is a setting of sac, and the algorithm is ppo");
   EXPECT_EQ(parse({"--algorithm", "sac", "--setting", "batch_size=200"}),
-            "batch_size: 200 is no multiple of 128");
+            "batch_size: 200 is not a multiple of 128");
   EXPECT_EQ(parse({"--setting", "clip_range=x"}),
             "--setting: clip_range: `x` is not a number from 0.001 to 10");
 }

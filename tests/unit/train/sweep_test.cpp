@@ -128,13 +128,13 @@ TEST_F(TrainSweep, ATrainingThatBreaksIsARow) {
   EXPECT_EQ(SweepResults(path("sweep.csv")).size(), 4U) << "it can be read again";
 }
 
-TEST_F(TrainSweep, ResultsOfOthersAreRefused) {
+TEST_F(TrainSweep, ForeignResultsAreRefused) {
   const std::string head = kResultsHead, row = kResultsRow;
   EXPECT_EQ(said_of(head + row), "1 rows");
   EXPECT_EQ(said_of(head), "0 rows");
   EXPECT_EQ(said_of(""), "0 rows");
   EXPECT_EQ(said_of("precious data\n"), "has no results of a sweep");
-  EXPECT_EQ(said_of(head + row + row.substr(0, 30)), "is damaged: line 3 is no result");
+  EXPECT_EQ(said_of(head + row + row.substr(0, 30)), "is damaged: line 3 is not a result");
   for (const char* bad :
        {"0123456789abcdeg,\"a=1\",1,1,8192,399,400,-12.5,0.75,\"\"",
         "0123456789abcdef,a=1,1,1,8192,399,400,-12.5,0.75,\"\"",
@@ -147,7 +147,7 @@ TEST_F(TrainSweep, ResultsOfOthersAreRefused) {
         "0123456789abcdef,\"a=1\",1,1,8192,399,400,-12.5,-1,\"\"",
         "0123456789abcdef,\"a=1\",1,1,8192,0,0,-12.5,1,\"\"",
         "0123456789abcdef,\"a=1\",1,1,8192,399,400,-12.5,0.75,\"\",", ""})
-    EXPECT_EQ(said_of(head + bad + "\n"), "is damaged: line 2 is no result") << bad;
+    EXPECT_EQ(said_of(head + bad + "\n"), "is damaged: line 2 is not a result") << bad;
 }
 
 // At 9028afbf, the one that wrote last had its own rows only.

@@ -84,7 +84,7 @@ TEST_F(TrainTraining, EpisodesOfOneLengthEndInEveryIteration) {
   trained(some);
   const std::vector<double> returns = column_of(read_file(some.csv), 1);
   for (std::size_t i = 0; i < returns.size(); ++i)
-    EXPECT_EQ(std::isnan(returns[i]), i < 4) << "one that is cut is no episode";
+    EXPECT_EQ(std::isnan(returns[i]), i < 4) << "one that is cut is not an episode";
   for (std::size_t i = 5; i < returns.size(); ++i) EXPECT_NE(returns[i], returns[i - 1]) << i;
 }
 

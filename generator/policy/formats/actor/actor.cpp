@@ -66,7 +66,7 @@ class Assembly {
     if (facts_.extractor && known.find(" " + *facts_.extractor + " ") == std::string::npos) {
       return parts_.fail(
           "E0628",
-          fmt::format("has a features extractor of its own (`{}`)", printable(*facts_.extractor)),
+          fmt::format("has a custom features extractor (`{}`)", printable(*facts_.extractor)),
           "export the actor to ONNX");
     }
     return check_class();
@@ -90,7 +90,7 @@ class Assembly {
     }
     return parts_.fail(
         "E0628",
-        fmt::format("has a policy class of its own (`{}`{}{}{})", name,
+        fmt::format("has a custom policy class (`{}`{}{}{})", name,
                     methods.empty() ? "" : ", which overrides ", join(methods, ", "),
                     methods.size() < facts_.own_methods.size() ? ", …" : ""),
         "export the actor to ONNX; if it calculates what the library's policy does, give known "

@@ -94,7 +94,7 @@ class Layouts {
     if (any_starts_with("action_parameterization.") && any_starts_with("obs_normalizer.") &&
         any_starts_with("encoder.encoders.obs.") &&
         !any_starts_with("encoder.encoders.obs.mlp_head.")) {
-      return fail("is of Sample Factory, with an encoder that is no MLP");
+      return fail("is of Sample Factory, with an encoder that is not an MLP");
     }
     if (!any_starts_with("action_parameterization.distribution_linear.")) return true;
     if (!any_starts_with("action_parameterization.learned_stddev")) {

@@ -264,7 +264,7 @@ class DataReader {
       const auto part = choices_of(pickle, pickle.at(spaces->items[i + 1]));
       if (!part) {
         return fail(
-            "whose `observation_space` has parts that are no Box, Discrete from 0 on, "
+            "whose `observation_space` has parts that are not Box, Discrete from 0 on, "
             "MultiDiscrete or MultiBinary");
       }
       facts_.contract.observations.push_back({std::string(name.text), part->size()});
@@ -287,7 +287,7 @@ class DataReader {
       auto found = choices_of(*pickle, top);
       if (!found) {
         return fail(
-            "whose `observation_space` is no Box, Discrete from 0 on, MultiDiscrete of one "
+            "whose `observation_space` is not a Box, Discrete from 0 on, MultiDiscrete of one "
             "dimension, MultiBinary, or Dict of them");
       }
       choices = std::move(*found);
@@ -342,7 +342,8 @@ class DataReader {
                                                                          : std::nullopt;
     if (!counts || counts->empty()) {
       return fail(
-          "whose `action_space` is no Box, Discrete, MultiDiscrete of one dimension and from 0 on, "
+          "whose `action_space` is not a Box, Discrete, MultiDiscrete of one dimension and from 0 "
+          "on, "
           "or MultiBinary");
     }
     facts_.action = is_binary ? ActionKind::binary : ActionKind::argmax;

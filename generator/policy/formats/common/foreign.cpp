@@ -215,7 +215,7 @@ std::optional<PolicyProblem> foreign_file(std::string_view bytes) {
 PolicyProblem foreign_archive(const std::vector<std::string>& names) {
   if (auto known = among(kArchives, names)) return *known;
   if (names.empty()) return foreign("an empty zip archive", "save the policy again");
-  return foreign(fmt::format("a zip archive that is no policy: its first entry is `{}`",
+  return foreign(fmt::format("a zip archive that is not a policy: its first entry is `{}`",
                              printable(names.front())),
                  "name the file that `model.save` or `torch.save` wrote");
 }

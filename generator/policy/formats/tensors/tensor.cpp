@@ -90,7 +90,7 @@ bool TensorTable::add(const std::string& name, StoredTensor tensor, PolicyProble
   }
   if (tensors.emplace(name, std::move(tensor)).second) return true;
   return refuse(problem, "E0610", fmt::format("has two tensors `{}`", printable(name)),
-                "give each tensor a name of its own");
+                "give each tensor its own name");
 }
 
 }  // namespace eagerx::gen

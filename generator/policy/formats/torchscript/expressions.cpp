@@ -128,7 +128,7 @@ std::optional<TorchValue> TorchInterpreter::evaluate_attribute(const TorchExpres
   if (!base) return std::nullopt;
   if (base->kind != Has::module) {
     return fail(
-        fmt::format("takes `{}` of something that is no module", printable(expression.text)));
+        fmt::format("takes `{}` of something that is not a module", printable(expression.text)));
   }
   return member(*base, expression.text);
 }
@@ -174,7 +174,8 @@ std::optional<TorchValue> TorchInterpreter::evaluate_call(const TorchExpression&
   if (callee.kind == Syntax::attribute && !name.starts_with("__torch__.")) {
     const auto base = evaluate(callee.parts.front(), variables);
     if (!base) return std::nullopt;
-    if (base->kind != Has::module) return fail("calls a function of something that is no module");
+    if (base->kind != Has::module)
+      return fail("calls a function of something that is not a module");
     return method(*base, callee.text, std::move(arguments), std::move(named));
   }
   const bool is_variable = callee.kind != Syntax::name || variables.contains(callee.text);
@@ -186,7 +187,7 @@ std::optional<TorchValue> TorchInterpreter::evaluate_call(const TorchExpression&
   }
   const std::size_t dot = found->text.rfind('.');
   if (found->kind != Has::function || dot == std::string::npos) {
-    return fail("calls something that is no function");
+    return fail("calls something that is not a function");
   }
   const TorchFunction* code =
       archive_.function(found->text.substr(0, dot), found->text.substr(dot + 1), problem_);

@@ -130,11 +130,11 @@ bool TorchInterpreter::assign(const std::vector<TorchExpression>& targets, Torch
   const auto module = evaluate(target.parts.front(), variables);
   if (!module) return false;
   if (module->kind != Held::module || !value.is_tensor()) {
-    return fail("changes a member that is no tensor of a module");
+    return fail("changes a member that is not a tensor of a module");
   }
   const auto old = member(*module, target.text);
   if (!old) return false;
-  if (!old->is_tensor()) return fail("changes a member that is no tensor of a module");
+  if (!old->is_tensor()) return fail("changes a member that is not a tensor of a module");
   if (!old->tensor->buffer.empty() && value.tensor->value.remembered.empty()) {
     return refuse(problem_, "E0756",
                   fmt::format("has a buffer `{}` that is changed, and is not the state of a GRU or "
@@ -236,7 +236,7 @@ std::optional<TorchValue> TorchInterpreter::method(const TorchValue& module,
   const std::string type(all.at(object.function).text);
   const std::size_t dot = type.rfind('.');
   if (object.kind != PickleValue::Kind::object || dot == std::string::npos) {
-    return fail("calls a function of something that is no module");
+    return fail("calls a function of something that is not a module");
   }
   const TorchFunction* function = archive_.function(
       type.substr(0, dot), fmt::format("{}.{}", type.substr(dot + 1), name), problem_);

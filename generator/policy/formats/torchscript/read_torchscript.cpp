@@ -125,7 +125,7 @@ class TorchReading {
       const bool is_self = names.size() == 1;
       if (!is_self && !parameter.type.empty() && parameter.type != "Tensor") {
         return refuse(problem_, "E0754",
-                      fmt::format("has a `forward` that takes `{}`, which is no tensor but {}",
+                      fmt::format("has a `forward` that takes `{}`, which is not a tensor but {}",
                                   printable(parameter.name), printable(parameter.type)),
                       "export a module that keeps its state in buffers, or export it to ONNX with "
                       "the state as an input and an output");

@@ -132,7 +132,7 @@ class Recurrent {
     for (std::size_t i = 0; i < (is_lstm_ ? 2U : 1U); ++i) {
       const TorchValue* state = is_lstm_ && i < states.items.size() ? &states.items[i] : &states;
       if (!state->is_tensor()) {
-        return fail("with a state that is no tensor");
+        return fail("with a state that is not a tensor");
       }
       inputs.push_back(state_of(*state->tensor, layer, layers));
     }

@@ -163,7 +163,7 @@ class Parser {
     made.kind = Act::assign;
     for (const TorchExpression& target : targets) {
       if (target.kind != Form::name && target.kind != Form::attribute) {
-        return fail("what is assigned to is no name");
+        return fail("what is assigned to is not a name");
       }
     }
     made.targets = std::move(targets);

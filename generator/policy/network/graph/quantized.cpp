@@ -126,7 +126,7 @@ NetValue quantize(const NetCall& call) {
     });
   }
   if (x.kind != Kind::data || grid->scales.size() > 1) {
-    return call.misused("with several scales of what is no constant", x.shape);
+    return call.misused("with several scales of what is not a constant", x.shape);
   }
   NetValue value = step(call, x, Operation::divide, grid->scales[0]);
   if (value.kind != Kind::data) return value;
@@ -148,7 +148,7 @@ NetValue dequantize(const NetCall& call) {
     });
   }
   if (x.kind != Kind::data || grid->scales.size() > 1) {
-    return call.misused("with several scales of what is no constant", x.shape);
+    return call.misused("with several scales of what is not a constant", x.shape);
   }
   NetValue value = x;
   if (grid->zeros[0] != 0.0F) value = step(call, value, Operation::subtract, grid->zeros[0]);

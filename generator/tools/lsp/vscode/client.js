@@ -37,7 +37,7 @@ class Client {
       const end = this.bytes.indexOf(HEADER_END);
       if (end < 0) return;
       const length = /content-length: *(\d+)/i.exec(this.bytes.toString("latin1", 0, end));
-      if (!length) return this.end("what came is no message of the Language Server Protocol");
+      if (!length) return this.end("the input is not a message of the Language Server Protocol");
       const begin = end + HEADER_END.length;
       if (this.bytes.length < begin + Number(length[1])) return;
       const content = this.bytes.toString("utf8", begin, begin + Number(length[1]));

@@ -38,7 +38,7 @@ class Scaled(Box):
     def __init__(self, field):
         super().__init__(field)
         if field.dtype.kind != "f" or not (np.isfinite(field.low).all() and np.isfinite(field.high).all()):
-            raise ValueError(f"normalize_actions: action {field.name!r} is no float32 with finite bounds")
+            raise ValueError(f"normalize_actions: action {field.name!r} is not a float32 with finite bounds")
         self.space = _spaces().Box(-1.0, 1.0, self.shape, np.float32)
         self._low, self._size = field.low.reshape(-1), (field.high - field.low).reshape(-1)
 

@@ -69,7 +69,7 @@ class Library(Described):
                             "make it again with the eagerx-gen that this package is from")
             functions = {name: getattr(self.c, name) for name in _FUNCTIONS}
         except (OSError, AttributeError) as problem:
-            raise Error(f"`{self.path}` is no library of environments: {problem}") from problem
+            raise Error(f"`{self.path}` is not a library of environments: {problem}") from problem
         for name, (result, arguments) in _FUNCTIONS.items():
             functions[name].restype, functions[name].argtypes = result, arguments
         super().__init__(json.loads(self.c.eagerx_describe()))

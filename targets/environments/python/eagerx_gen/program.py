@@ -80,7 +80,7 @@ class RunningProgram(checks.Single):
 
     path               of the program, as eagerx-gen's target `linux-sim` makes it
     number, longest    as of Env
-    real_time_factor   simulated seconds a second; 0: as fast as possible. Real hardware has a time of its own.
+    real_time_factor   simulated seconds a second; 0: as fast as possible. Real hardware runs in real time only.
     publish, publish_only, publish_rate, trace    the program's options
     render_mode        "human": a window of the program. "rgb_array": picture() gives uint8 [height, width, 3]
     variables          of the program's environment, besides those of this process
@@ -278,5 +278,5 @@ def words(name, values):
     values = list(values)
     for value in values:
         if not isinstance(value, str) or "\0" in value:
-            raise ValueError(f"{name} has {reprlib.repr(value)}, which is no text")
+            raise ValueError(f"{name} has {reprlib.repr(value)}, which is not text")
     return values

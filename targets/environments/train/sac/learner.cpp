@@ -109,7 +109,7 @@ void Learner::sample(const Frozen& frozen, const Simd* row, Random& random) {
 }
 
 /// The target of the critics for the samples: the reward and what the actor gets from there on, as
-/// the more doubtful target has it.
+/// the lower target has it.
 void Learner::estimate_target(const Frozen& frozen, Random& random) {
   const Model& model = frozen.model;
   std::copy_n(next_.begin(), seen_by_actor_, next_row_.begin());
@@ -146,7 +146,7 @@ void Learner::evaluate(const Frozen& frozen, std::size_t tile) {
   }
 }
 
-/// The actor's derivatives of temperature * log probability - what the more doubtful critic says.
+/// The actor's derivatives of temperature * log probability - what the lower critic says.
 void Learner::improve(const Frozen& frozen, std::size_t tile, Random& random) {
   const Model& model = frozen.model;
   Simd* row = &actor_rows_[tile * actor_width_];

@@ -125,14 +125,14 @@ class Table {
   std::uint64_t whole(std::size_t column) const {
     std::uint64_t value = 0;
     if (!host::read_number(cells_[column], value))
-      refuse_log(name_, line_, fmt::format("`{}` is no whole number", cells_[column]));
+      refuse_log(name_, line_, fmt::format("`{}` is not a whole number", cells_[column]));
     return value;
   }
   /// NaN of an empty cell.
   float number(std::size_t column) const {
     float value = std::numeric_limits<float>::quiet_NaN();
     if (!cells_[column].empty() && !host::read_number(cells_[column], value))
-      refuse_log(name_, line_, fmt::format("`{}` is no number", cells_[column]));
+      refuse_log(name_, line_, fmt::format("`{}` is not a number", cells_[column]));
     return value;
   }
 

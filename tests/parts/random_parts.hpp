@@ -1,5 +1,6 @@
-// A graph in one program, and the same in parts whose lines are memory: ./drawn makes programs that
-// compare both. The hub continues as long as it can: a part runs only while the hub waits for it.
+// A graph in one program, and the same in parts whose lines are memory: ./random_parts makes
+// programs that compare both. The hub continues as long as it can: a part runs only while the hub
+// waits for it.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace eagerx::drawn {
+namespace eagerx::random_parts {
 
 /// Both ends of a line, and whose turn it is.
 struct Line {
@@ -209,7 +210,7 @@ class SplitRun {
     watch.keeps = looks;
     watch.begin_parts = begin;
     watch.star = &star_;
-    Result result = drawn::run<Hub>(plan, *program, watch, !Hub::Link::kPartDecides);
+    Result result = random_parts::run<Hub>(plan, *program, watch, !Hub::Link::kPartDecides);
     const auto finish = [](auto& link) {
       link::Report report;
       return link.finish(report, [](const char*, std::uint64_t) {});
@@ -261,4 +262,4 @@ int compare(const char* name, const target::RunPlan& plan) {
   return different;
 }
 
-}  // namespace eagerx::drawn
+}  // namespace eagerx::random_parts

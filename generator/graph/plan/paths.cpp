@@ -1,4 +1,4 @@
-#include "generator/graph/plan/ways.hpp"
+#include "generator/graph/plan/paths.hpp"
 
 #include <algorithm>
 #include <set>
@@ -15,7 +15,7 @@ bool passes_on(const GraphNode& node, const Input& input) {
 
 }  // namespace
 
-WayEnds usual_ends(const Graph& graph) {
+PathEnds usual_ends(const Graph& graph) {
   const bool engine = graph.has_engine();
   return {!engine, !engine, engine};
 }
@@ -42,10 +42,10 @@ std::vector<std::string> names_of_destinations(const Graph& graph, bool observat
   return {names.begin(), names.end()};
 }
 
-PathFinder::PathFinder(const Plan& plan, const WayEnds& ends) : plan_(plan), ends_(ends) {
-  make_hops();
+PathFinder::PathFinder(const Plan& plan, const PathEnds& ends) : plan_(plan), ends_(ends) {
+  make_edges();
   mark_behind_sources();
-  on_way_.assign(edges_.size(), false);
+  on_path_.assign(edges_.size(), false);
   for (std::size_t n = 0; n < edges_.size(); ++n) {
     for (const PathEdge& edge : edges_[n]) {
       const Input& input = plan.graph->nodes[n].inputs[edge.input];
@@ -61,13 +61,13 @@ bool PathFinder::is_last(const GraphNode& node, const Input& input) const {
   return ends_.to_observations ? node.role == NodeRole::environment : input.actuator;
 }
 
-/// Whether a way may lead through a node. It begins at the environment or does not go over it.
+/// Whether a path may lead through a node. It begins at the environment or does not go over it.
 bool PathFinder::is_passed(const GraphNode& node) const {
   if (node.role == NodeRole::environment) return ends_.through_agent && !ends_.from_actions;
   return node.role != NodeRole::engine_node && node.role != NodeRole::engine;
 }
 
-void PathFinder::make_hops() {
+void PathFinder::make_edges() {
   const auto& nodes = plan_.graph->nodes;
   edges_.resize(nodes.size());
   for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -132,18 +132,18 @@ std::vector<const PathEdge*> PathFinder::behind(const PathEdge& edge) const {
 void PathFinder::walk(const std::string& destination, const PathEdge& edge) {
   if (++steps_ > kMaxSteps) return;
   const std::size_t sender = plan_.graph->nodes[edge.node].inputs[edge.input].source_node;
-  way_.push_back(&edge);
+  path_.push_back(&edge);
   if (const std::string source = source_of(edge); !source.empty()) {
-    keep(source, destination, way_, true);
-  } else if (!on_way_[sender]) {
-    on_way_[sender] = true;
+    keep(source, destination, path_, true);
+  } else if (!on_path_[sender]) {
+    on_path_[sender] = true;
     for (const PathEdge* next : behind(edge)) walk(destination, *next);
-    on_way_[sender] = false;
+    on_path_[sender] = false;
   }
-  way_.pop_back();
+  path_.pop_back();
 }
 
-/// The way with the least sum to every source, from the destination backwards (Dijkstra).
+/// The path with the least sum to every source, from the destination backwards (Dijkstra).
 void PathFinder::shortest(const std::string& destination, const PathEdge& first) {
   std::map<const PathEdge*, std::pair<std::int64_t, const PathEdge*>>
       best;  // sum, the edge after it
@@ -156,10 +156,10 @@ void PathFinder::shortest(const std::string& destination, const PathEdge& first)
     open.erase(open.begin());
     if (const std::string source = source_of(*edge); !source.empty()) {
       if (!found.insert(source).second) continue;
-      std::vector<const PathEdge*> way;
+      std::vector<const PathEdge*> path;
       for (const PathEdge* at = edge; at != nullptr; at = best[at].second)
-        way.insert(way.begin(), at);
-      keep(source, destination, way, false);
+        path.insert(path.begin(), at);
+      keep(source, destination, path, false);
       continue;
     }
     for (const PathEdge* next : behind(*edge)) {
@@ -174,10 +174,10 @@ void PathFinder::shortest(const std::string& destination, const PathEdge& first)
 }
 
 void PathFinder::keep(const std::string& source, const std::string& destination,
-                      const std::vector<const PathEdge*>& way, bool complete) {
-  Ways& ways = ways_[{source, destination}];
-  ways.all.push_back(way);
-  ways.complete = ways.complete && complete;
+                      const std::vector<const PathEdge*>& path, bool complete) {
+  Paths& paths = paths_[{source, destination}];
+  paths.all.push_back(path);
+  paths.complete = paths.complete && complete;
 }
 
 std::vector<const Input*> PathFinder::unknown_between(const std::string& from,

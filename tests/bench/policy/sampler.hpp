@@ -1,4 +1,4 @@
-// Weights drawn by a fixed rule, the same on every machine.
+// Weights sampled by a fixed rule, the same on every machine.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 namespace bench {
 
 /// Numbers in -1/4…1/4 that are exact in float32.
-class Draw {
+class Sampler {
  public:
   constexpr float next() {
     state_ = state_ * 1664525U + 1013904223U;

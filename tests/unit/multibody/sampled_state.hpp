@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "tests/unit/multibody/compared_robots.hpp"
-#include "tests/unit/multibody/draw.hpp"
+#include "tests/unit/multibody/sampler.hpp"
 
 namespace eagerx::models::testing {
 
 /// All numbers are those of floats, so that float and double see the same state.
 template <class Model>
-struct DrawnState {
+struct SampledState {
   static constexpr std::size_t kJoints = Model::kJoints.size();
   static constexpr bool kFloating = multibody::count_free<Model>() == 1;
   Pose pose{};    // of the free body
@@ -23,9 +23,9 @@ struct DrawnState {
   std::array<double, kJoints> q{}, v{}, torque{};
 
   /// Torques are `most_torque` at most.
-  DrawnState(Draw& draw, double most_torque) {
+  SampledState(Sampler& sample, double most_torque) {
     const auto narrow = [&](double most) {
-      return static_cast<double>(static_cast<float>(draw(most)));
+      return static_cast<double>(static_cast<float>(sample(most)));
     };
     for (std::size_t i = 0; kFloating && i < 7; ++i) pose[i] = narrow(1.0);
     for (std::size_t i = 0; kFloating && i < 6; ++i) twist[i] = narrow(i < 3 ? 3.0 : 5.0);
@@ -41,11 +41,11 @@ struct DrawnState {
 /// Of the free body (linear, then angular, in the axes of the world), then of the joints that move
 /// [m/s², rad/s²].
 template <class Model>
-std::vector<double> engine_accelerations(const DrawnState<Model>& at) {
+std::vector<double> engine_accelerations(const SampledState<Model>& at) {
   using Lane = LaneOf<typename Model::Real>;
   MultibodyScene<Model> scene;
   auto& simulator = scene.simulator;
-  if constexpr (DrawnState<Model>::kFloating) {
+  if constexpr (SampledState<Model>::kFloating) {
     simulator.want_pose(0, at.pose);
     simulator.want_twist(0, at.twist);
   }
@@ -82,7 +82,7 @@ inline double relative_error(const std::vector<double>& a, const std::vector<dou
   return a.size() == expected.size() ? worst / scale : 1.0;
 }
 
-/// Its name in the table and the largest torque that is drawn [N·m].
+/// Its name in the table and the largest torque that is sampled [N·m].
 template <template <class> class Model>
 struct ComparedRobot;
 template <>

@@ -57,7 +57,7 @@ auto accelerations(const MultibodySimulator<Model>& simulator) {
 }
 
 /// Random numbers that every library gives alike.
-struct Draw {
+struct Sampler {
   unsigned state = 1;
   double operator()(double most) {
     state = state * 1664525U + 1013904223U;
