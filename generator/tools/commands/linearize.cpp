@@ -218,7 +218,7 @@ Command table(LinearizeOptions& options) {
            trim_arguments(options.point),
            {whole("--steps", options.steps,
                   "steps without an action before the operating point (default: until windows are "
-                  "full and delays have passed)",
+                  "full and delays have passed, with steady covariances)",
                   0, 1'000'000'000),
             whole("--seed", options.seed, "seed of random numbers (default: 1)", 0,
                   std::numeric_limits<std::int64_t>::max()),
