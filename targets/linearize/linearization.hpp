@@ -27,6 +27,7 @@
 #include <targets/linearize/request.hpp>
 #include <targets/linearize/reset_states.hpp>
 #include <targets/linearize/settling.hpp>
+#include <targets/linearize/step_response.hpp>
 #include <targets/linearize/words.hpp>
 #include <vector>
 
@@ -74,6 +75,7 @@ class Linearization {
     if (!set_words()) return false;
     if (request_.words.empty() && !request_.settling.empty()) settle();
     if (!request_.node.node.empty()) return print_node();
+    if (request_.step.hyperperiods > 0 && request_.open) return print_step();
     find_ports();
     Matrix a, b, c, d, later, later_c;
     fill_state(a, c);
@@ -104,6 +106,11 @@ class Linearization {
  private:
   static constexpr std::size_t kChannels = std::size(Graph::kChannels);
 
+  bool print_step() {
+    const auto step = [this](Program& program) { program.step(action({}, 0)); };
+    print_step_response(*program_, request_.step, *request_.open, request_.element, step);
+    return true;
+  }
   /// What happens from each tick of a node to the next.
   bool print_node() {
     const auto step = [this](Program& program) { program.step(action({}, 0)); };
