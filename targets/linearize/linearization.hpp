@@ -22,32 +22,16 @@
 #include <string>
 #include <string_view>
 #include <targets/linearize/node_system.hpp>
+#include <targets/linearize/print.hpp>
 #include <targets/linearize/probe.hpp>
 #include <targets/linearize/request.hpp>
 #include <targets/linearize/reset_states.hpp>
+#include <targets/linearize/settling.hpp>
+#include <targets/linearize/step_response.hpp>
 #include <targets/linearize/words.hpp>
 #include <vector>
 
 namespace eagerx::linearize {
-
-/// Numbers in rows of JSON.
-using Matrix = std::vector<std::vector<double>>;
-inline void print_matrix(const char* name, const Matrix& matrix) {
-  std::printf(",\n\"%s\": [", name);
-  for (std::size_t i = 0; i < matrix.size(); ++i) {
-    std::printf(i == 0 ? "\n[" : ",\n[");
-    for (std::size_t k = 0; k < matrix[i].size(); ++k)
-      std::printf(k == 0 ? "%.17g" : ", %.17g", matrix[i][k]);
-    std::printf("]");
-  }
-  std::printf("]");
-}
-
-inline bool are_finite(const Matrix& matrix) {
-  return std::all_of(matrix.begin(), matrix.end(), [](const std::vector<double>& row) {
-    return std::all_of(row.begin(), row.end(), [](double x) { return eagerx::isfinite(x); });
-  });
-}
 
 /// An input or output: element of the messages of a channel, each or one of a run.
 struct Port {
@@ -89,7 +73,9 @@ class Linearization {
     const std::vector<double> after_reset = state_values();
     for (std::uint64_t i = 0; i < request_.steps; ++i) program_->step(action({}, 0));
     if (!set_words()) return false;
+    if (request_.words.empty() && !request_.settling.empty()) settle();
     if (!request_.node.node.empty()) return print_node();
+    if (request_.step.hyperperiods > 0 && request_.open) return print_step();
     find_ports();
     Matrix a, b, c, d, later, later_c;
     fill_state(a, c);
@@ -111,6 +97,7 @@ class Linearization {
       print_matrix("values", {after_reset, next_values, observed, values_after});
       print_states<Graph>(states);
       print_matrix("reset", reset);
+      print_list("settled", settled_);
     }
     std::printf("}\n");
     return true;
@@ -119,6 +106,11 @@ class Linearization {
  private:
   static constexpr std::size_t kChannels = std::size(Graph::kChannels);
 
+  bool print_step() {
+    const auto step = [this](Program& program) { program.step(action({}, 0)); };
+    print_step_response(*program_, request_.step, *request_.open, request_.element, step);
+    return true;
+  }
   /// What happens from each tick of a node to the next.
   bool print_node() {
     const auto step = [this](Program& program) { program.step(action({}, 0)); };
@@ -133,7 +125,7 @@ class Linearization {
     auto copy = std::make_unique<Program>(*program_);
     record_ = {};
     record_.channels.resize(kChannels);
-    record_.opened = request_.open;
+    record_.opened = settles_ ? std::nullopt : request_.open;
     record_.opened_element = request_.element;
     record_.seeds = seeds;
     for (const Seed*& seed : record_.seeds) {  // an action has its derivative already
@@ -242,6 +234,86 @@ class Linearization {
     }
   }
 
+  /// Numbers of nodes that no other number and no input has an effect on, and that do not rest:
+  /// their values are those to which they settle while everything else stays. By node.
+  void settle() {
+    const std::vector<double> begin = state_values();
+    const auto end = after_hyperperiod();
+    std::vector<bool> moves;
+    std::vector<std::ptrdiff_t> nodes;
+    bool any = false;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      nodes.push_back(request_.settling_index(words_[i].owner));
+      moves.push_back(at(*end, words_[i]).value != begin[i]);
+      any = any || (nodes[i] >= 0 && moves[i]);
+    }
+    if (!any) return;
+    settles_ = true;
+    Matrix a, unused;
+    fill_state(a, unused);
+    for (const auto& own : independent_numbers(a, nodes, moves, independent_of_inputs()))
+      settle(own);
+    settles_ = false;
+  }
+  /// Those of one node.
+  void settle(const std::vector<std::size_t>& own) {
+    using Numbers = Settling::Numbers;
+    const auto set = [&](const Numbers& x) {
+      for (std::size_t i = 0; i < own.size(); ++i) at(*program_, words_[own[i]]) = Number(x[i]);
+    };
+    const auto map = [&](const Numbers& x) {
+      set(x);
+      const auto end = after_hyperperiod();
+      Numbers next;
+      for (const std::size_t i : own) next.push_back(at(*end, words_[i]).value);
+      return next;
+    };
+    const auto slopes = [&](const Numbers& x) {
+      set(x);
+      Matrix columns(own.size(), Numbers(own.size()));
+      for (std::size_t first = 0; first < own.size(); first += kSeeds) {
+        std::vector<const Word*> words;
+        for (std::size_t k = first; k < own.size() && k < first + kSeeds; ++k)
+          words.push_back(&words_[own[k]]);
+        const auto end = go({}, words);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+          for (std::size_t k = 0; k < words.size(); ++k)
+            columns[i][first + k] = at(*end, words_[own[i]]).derivative[k];
+        }
+      }
+      return columns;
+    };
+    Numbers begin, x;
+    for (const std::size_t i : own) begin.push_back(at(*program_, words_[i]).value);
+    x = begin;
+    const bool settles = Settling(map, slopes).run(x);
+    set(settles ? x : begin);
+    if (settles) settled_.insert(settled_.end(), own.begin(), own.end());
+  }
+  std::unique_ptr<Program> after_hyperperiod() const {
+    auto copy = std::make_unique<Program>(*program_);
+    for (std::uint32_t i = 0; i < Program::kPhases; ++i) copy->step(action({}, i));
+    return copy;
+  }
+  /// By number of the program: neither an action nor a port of `--from` has an effect on it.
+  std::vector<bool> independent_of_inputs() {
+    go({}, {});
+    for (std::uint32_t channel = 0; channel < kChannels; ++channel) {
+      const auto& sent = record_.channels[channel];
+      const bool is_input = Graph::kChannels[channel].publisher == Publisher::environment ||
+                            std::count(request_.from.begin(), request_.from.end(), channel) > 0;
+      for (std::size_t i = 0; is_input && !sent.empty() && i < sent.front().derivatives.size(); ++i)
+        inputs_.push_back({channel, i, Seed::kEach});
+    }
+    Matrix b, unused;
+    fill_inputs(b, unused);
+    inputs_.clear();
+    std::vector<bool> independent;
+    for (const auto& row : b)
+      independent.push_back(std::all_of(row.begin(), row.end(), [](double x) { return x == 0.0; }));
+    return independent;
+  }
+
   void next() {
     const auto end = go({}, {});
     *program_ = *end;
@@ -323,16 +395,6 @@ class Linearization {
     std::printf("]");
   }
 
-  static void print_channels(const char* name, const std::set<std::uint32_t>& channels) {
-    std::printf(",\n\"%s\": [", name);
-    const char* separator = "";
-    for (const std::uint32_t channel : channels) {
-      std::printf("%s%" PRIu32, separator, channel);
-      separator = ", ";
-    }
-    std::printf("]");
-  }
-
   void print(const std::vector<double>& values, const Matrix& a, const Matrix& b, const Matrix& c,
              const Matrix& d) {
     using Rate = typename Graph::Rate;
@@ -345,8 +407,8 @@ class Linearization {
     print_ports("inputs", inputs_);
     print_ports("outputs", outputs_);
     std::printf(",\n\"opened\": %zu", request_.open ? opened_ : outputs_.size());
-    print_channels("losing", losing_);
-    print_channels("smoothing", smoothing_);
+    print_list("losing", losing_);
+    print_list("smoothing", smoothing_);
     print_matrix("A", a);
     print_matrix("B", b);
     print_matrix("C", c);
@@ -361,6 +423,8 @@ class Linearization {
   std::vector<Port> inputs_, outputs_;
   std::size_t opened_ = 0;
   std::set<std::uint32_t> losing_, smoothing_;
+  bool settles_ = false;              // the loop is closed then, wherever it is to be opened
+  std::vector<std::size_t> settled_;  // of words_
   Record record_;
 };
 

@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <targets/linearize/print.hpp>
 #include <targets/linearize/ticks.hpp>
 #include <targets/linearize/words.hpp>
 #include <vector>
@@ -62,8 +63,8 @@ class NodeSystem {
       std::printf("%s[\"%s\", %zu]", i == 0 ? "" : ", ", inputs_[i].name.c_str(),
                   inputs_[i].elements);
     std::printf("]");
-    print_channels("losing", losing_);
-    print_channels("smoothing", smoothing_);
+    print_list("losing", losing_);
+    print_list("smoothing", smoothing_);
     std::printf(",\n\"phases\": [");
     for (std::size_t i = 0; i < phases.size(); ++i) print_phase(phases[i], i == 0);
     std::printf("]}\n");
@@ -71,7 +72,7 @@ class NodeSystem {
   }
 
  private:
-  using Rows = std::vector<std::vector<double>>;
+  using Rows = Matrix;
   struct Phase {
     Rows a, b, c, e, f;
     std::size_t cut_messages = 0;
@@ -161,45 +162,22 @@ class NodeSystem {
 
   static bool are_finite(const Phase& phase) {
     for (const Rows* const rows : {&phase.a, &phase.b, &phase.c, &phase.e, &phase.f}) {
-      for (const auto& row : *rows) {
-        if (!std::all_of(row.begin(), row.end(), [](double x) { return eagerx::isfinite(x); }))
-          return false;
-      }
+      if (!linearize::are_finite(*rows)) return false;
     }
     return true;
-  }
-  static void print_rows(const char* name, const Rows& rows) {
-    std::printf(",\n\"%s\": [", name);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      std::printf(i == 0 ? "\n[" : ",\n[");
-      for (std::size_t k = 0; k < rows[i].size(); ++k)
-        std::printf(k == 0 ? "%.17g" : ", %.17g", rows[i][k]);
-      std::printf("]");
-    }
-    std::printf("]");
   }
   static void print_phase(const Phase& phase, bool is_first) {
     std::printf("%s\n{\"cut\": %zu, \"messages\": [", is_first ? "" : ",", phase.cut_messages);
     for (std::size_t i = 0; i < phase.messages.size(); ++i)
       std::printf("%s%zu", i == 0 ? "" : ", ", phase.messages[i]);
     std::printf("]");
-    print_rows("A", phase.a);
-    print_rows("B", phase.b);
-    print_rows("C", phase.c);
-    print_rows("E", phase.e);
-    print_rows("F", phase.f);
+    print_matrix("A", phase.a);
+    print_matrix("B", phase.b);
+    print_matrix("C", phase.c);
+    print_matrix("E", phase.e);
+    print_matrix("F", phase.f);
     std::printf("}");
   }
-  static void print_channels(const char* name, const std::set<std::uint32_t>& channels) {
-    std::printf(",\n\"%s\": [", name);
-    const char* separator = "";
-    for (const std::uint32_t channel : channels) {
-      std::printf("%s%u", separator, static_cast<unsigned>(channel));
-      separator = ", ";
-    }
-    std::printf("]");
-  }
-
   const NodeRequest& request_;
   const Program& start_;
   const std::vector<Word>& words_;

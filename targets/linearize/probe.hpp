@@ -9,6 +9,7 @@
 #include <eagerx/rate.hpp>
 #include <optional>
 #include <set>
+#include <targets/linearize/step_response.hpp>
 #include <targets/linearize/ticks.hpp>
 #include <type_traits>
 #include <vector>
@@ -61,6 +62,7 @@ struct Probe {
   Record* record = nullptr;
   const std::vector<Held>* held = nullptr;
   NodeTicks* ticks = nullptr;
+  AddedStep* added = nullptr;
 
   static constexpr bool kSeesInputs = true;
   void on_reset_phase(bool /*begins*/) {}
@@ -72,6 +74,7 @@ struct Probe {
   void on_message(std::uint32_t channel, Seq /*seq*/, Message& message) {
     if (record == nullptr) {
       for (std::size_t i = 0; i < size_of<Message>; ++i) hold(channel, i, element(message, i));
+      if (added != nullptr) added->on_message(channel, message);
       if (ticks != nullptr) ticks->on_message(channel, message);
       return;
     }

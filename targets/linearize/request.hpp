@@ -1,6 +1,7 @@
 // What the command line of a program that is linearized says.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include <string_view>
 #include <targets/linearize/node_system.hpp>
 #include <targets/linearize/probe.hpp>
+#include <targets/linearize/step_response.hpp>
 #include <vector>
 
 namespace eagerx::linearize {
@@ -28,7 +30,15 @@ struct Request {
   std::vector<double> words;          // the state to begin with; empty: that after the steps
   bool compares = true;  // prints A of the next hyperperiod, too; else what the numbers become, and
                          // how they depend on a reset
-  NodeRequest node;      // of which only this is printed
+  std::vector<std::string> settling;  // nodes whose numbers that depend on nothing else settle
+  NodeRequest node;                   // of which only this is printed
+  StepRequest step;                   // at `open`; only this is printed
+
+  /// Of a node in `settling`; -1: it is not there.
+  [[nodiscard]] std::ptrdiff_t settling_index(const std::string& name) const {
+    const auto found = std::find(settling.begin(), settling.end(), name);
+    return found == settling.end() ? -1 : found - settling.begin();
+  }
 };
 
 /// "CHANNEL:ELEMENT=VALUE"
@@ -86,6 +96,12 @@ inline std::optional<Request> read_request(int argc, char** argv) {
       request.node.seen.push_back(channel());
     } else if (name == "--compares") {
       request.compares = number() != 0;
+    } else if (name == "--step-size") {
+      request.step.size = std::strtod(argv[i + 1], nullptr);
+    } else if (name == "--hyperperiods") {
+      request.step.hyperperiods = number();
+    } else if (name == "--settle") {
+      request.settling.emplace_back(argv[i + 1]);
     } else if (const auto held = name == "--hold" ? read_held(argv[i + 1]) : std::nullopt) {
       request.held.push_back(*held);
     } else {

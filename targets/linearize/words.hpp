@@ -19,6 +19,7 @@ struct Word {
   std::ptrdiff_t clock = -1;  // in the program: how many messages were sent; -1: in no ring
   std::size_t age = 0, capacity = 1;
   std::ptrdiff_t stride = 0;  // of a message
+  std::string owner;          // the node or object whose memory it is; empty: messages
 };
 
 template <class Program>
@@ -75,7 +76,9 @@ class WordList {
                                       [&](const auto& each) { return each.first == offset; });
       const std::string element =
           found != known.end() ? found->second : "number[" + std::to_string(i++) + "]";
-      words.push_back({std::string(name) + "." + element, offset});
+      Word word{std::string(name) + "." + element, offset};
+      word.owner = name;
+      words.push_back(std::move(word));
     }
   }
 

@@ -174,8 +174,16 @@ function polesPlot({open_poles, closed_poles}) {
   return axes;
 }
 
-function stepPlot({step}) {
-  const xs = [0, step.at(-1)[0]], ys = widened(loopExtent(step.flatMap(([, t, s]) => [t, s]), 0, 1), 0.05);
+/** The range of the linear model; what is simulated may double it. */
+function stepRange(step, simulated) {
+  const [low, high] = loopExtent(step.flatMap(([, t, s]) => [t, s]), 0, 1), height = high - low;
+  const all = loopExtent(simulated.flatMap(([, t, s]) => [t, s]), low, high);
+  return widened([Math.max(low - height, all[0]), Math.min(high + height, all[1])], 0.05);
+}
+
+function stepPlot({step, simulated}) {
+  const program = simulated?.step ?? [];
+  const xs = [0, step.at(-1)[0]], ys = stepRange(step, program);
   const axes = axesOf({
     width: kWide,
     height: kLow,
@@ -188,6 +196,8 @@ function stepPlot({step}) {
   });
   axes.line(step.map(([at, , s]) => [at, s]), "c2");
   axes.line(step.map(([at, t]) => [at, t]), "c0");
+  axes.line(program.map(([at, , s]) => [at, s]), "simulated dashed");
+  axes.line(program.map(([at, t]) => [at, t]), "simulated dashed");
   return axes;
 }
 
@@ -208,7 +218,7 @@ function bodeReadout(loop, axes) {
   return words;
 }
 
-function factsOf({margins}) {
+function factsOf({margins, simulated}) {
   const at = (hz) => `at ${short(hz)} Hz`;
   return [
     ["closed loop", margins.stable ? "stable" : "unstable", `spectral radius ${short(margins.spectral_radius, 6)}`],
@@ -220,6 +230,11 @@ function factsOf({margins}) {
     margins.stable_messages === null ? null :
                                        ["stable with", counted(margins.stable_messages, "more message"), "of delay"],
     ["peak of sensitivity", short(margins.sensitivity), at(margins.sensitivity_hz)],
+    simulated && margins.stable ? [
+      "simulated step", `within ${short(100 * simulated.difference, 3)} %`,
+      `of the linear model, for ${short(simulated.size)}${simulated.unit ? ` ${simulated.unit}` : ""}`
+    ] :
+                null,
     ...margins.ages.map(({from, to, newest_s}) => ["age of data", seconds(newest_s), `from ${from} to ${to}`])
   ].filter(Boolean);
 }
@@ -234,7 +249,10 @@ function loopCard(loop) {
          loopPlot("Phase [deg]", phase, true, bodeReadout(loop, phase)),
          loopPlot("Nyquist plot; circle: peak of sensitivity", nyquistPlot(loop)),
          loopPlot("Poles z: open loop (dots), closed loop (crosses)", polesPlot(loop)),
-         loopPlot("Unit step at the port: T (blue) returns, its readers get S = 1 − T (green)", stepPlot(loop), true)));
+         loopPlot(
+             "Unit step at the port: T (blue) returns, its readers get S = 1 − T (green)" +
+                 (loop.simulated ? "; dashed: as the program simulates it" : ""),
+             stepPlot(loop), true)));
 }
 
 function makeLoopView(panel) {

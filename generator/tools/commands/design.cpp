@@ -20,7 +20,7 @@ Arguments design_arguments(DesignOptions& options, std::string types) {
               "STATE=VALUE"),
         whole("--steps", options.steps,
               "steps without an action before the operating point (default: until windows are full "
-              "and delays have passed)",
+              "and delays have passed, with steady covariances)",
               0, 1'000'000'000),
         whole("--seed", options.seed, "seed of random numbers (default: 1)", 0,
               std::numeric_limits<std::int64_t>::max()),

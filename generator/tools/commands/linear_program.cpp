@@ -219,9 +219,14 @@ void check_state(const std::string& text, const Graph& graph, Diagnostics& diagn
       .help = "states are " + join(names, ", ");
 }
 
-std::vector<std::string> first_words(const LinearOptions& options, const Plan& plan) {
-  return {"--steps", fmt::format("{}", options.steps.value_or(steps_until_full(plan))), "--seed",
-          fmt::format("{}", options.seed.value_or(1))};
+std::vector<std::string> first_words(const LinearOptions& options, const Plan& plan, bool settles) {
+  std::vector<std::string> words = {
+      "--steps", fmt::format("{}", options.steps.value_or(steps_until_full(plan))), "--seed",
+      fmt::format("{}", options.seed.value_or(1))};
+  for (const GraphNode& node : plan.graph->nodes) {
+    if (node.role == NodeRole::node && settles) words.insert(words.end(), {"--settle", node.name});
+  }
+  return words;
 }
 
 std::optional<std::string> build_linear_program(Run& run, const LinearOptions& options, int& code) {

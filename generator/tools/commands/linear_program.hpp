@@ -56,8 +56,12 @@ std::vector<NamedState> states_of(const Graph& graph);
 /// Checks NAME=VALUE,… of a state: E0520, as a wrong command line.
 void check_state(const std::string& text, const Graph& graph, Diagnostics& diagnostics);
 
-/// `--steps N --seed N`
-std::vector<std::string> first_words(const LinearOptions& options, const Plan& plan);
+/// `--steps N --seed N`, and nodes whose own numbers, such as a covariance, are those to which they
+/// settle: all that `settles`, unless the command line chooses the steps.
+std::vector<std::string> first_words(const LinearOptions& options, const Plan& plan, bool settles);
+inline std::vector<std::string> first_words(const LinearOptions& options, const Plan& plan) {
+  return first_words(options, plan, !options.steps);
+}
 
 /// Builds it for a graph that was made; the file of the program. Nothing with a problem; then
 /// `code` is the least that the exit code may be.

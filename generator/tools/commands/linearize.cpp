@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
+#include "generator/frontend/read/scalar.hpp"
 #include "generator/tools/commands/linear_program.hpp"
 #include "generator/tools/commands/opened_loop.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
@@ -25,6 +27,7 @@ enum class LinearFormat : std::uint8_t { text, json, csv, yaml };
 struct LinearizeOptions : LinearOptions {
   std::vector<std::string> from, to;
   std::string open, plot, npz;
+  double step = 0.0;  // of --plot; 0: chosen
   bool trim = false, corners = false;
   TrimSettings point;  // of --trim
   LinearFormat format = LinearFormat::text;
@@ -72,6 +75,13 @@ std::optional<std::vector<std::string>> words_of(const LinearizeOptions& options
   return words;
 }
 
+/// A system, and what the program was asked for it.
+struct Linearized {
+  std::string image;
+  std::vector<std::string> words;
+  SampledSystem system;
+};
+
 /// The system as a node of a graph.
 int print_node(Run& run, const LinearizeOptions& options, const LinearReport& report) {
   std::string problem;
@@ -83,13 +93,22 @@ int print_node(Run& run, const LinearizeOptions& options, const LinearReport& re
   return finish(run, options);
 }
 
-int print(Run& run, const LinearizeOptions& options, const SampledSystem& system,
+/// Draws the loop; false with a problem.
+bool plot(Run& run, const LinearizeOptions& options, const Linearized& at,
+          const PortElement& opened, const LinearReport& report, int& code) {
+  const auto curves =
+      loop_curves_of_program(run, at.image, at.words, opened, options.step, report, code);
+  return curves && write_file(options.plot, loop_svg(*curves, run.graph->name), run.diagnostics);
+}
+
+int print(Run& run, const LinearizeOptions& options, const Linearized& at,
           const std::optional<PortElement>& opened, const std::optional<WorstMargins>& corners) {
+  const SampledSystem& system = at.system;
+  int code = kDone;
   LinearReport report{&system, modes_of(system), {}, options.open, {}, corners};
   if (opened && !add_loop(run, *opened, report)) return finish(run, options);
-  if (!options.plot.empty() &&
-      !write_file(options.plot, loop_svg(loop_curves_of(report), run.graph->name), run.diagnostics))
-    return finish(run, options);
+  if (!options.plot.empty() && !plot(run, options, at, *opened, report, code))
+    return std::max(code, finish(run, options));
   if (!options.npz.empty() && !write_file(options.npz, linear_npz(report), run.diagnostics))
     return finish(run, options);
   if (options.format == LinearFormat::yaml) return print_node(run, options, report);
@@ -101,16 +120,18 @@ int print(Run& run, const LinearizeOptions& options, const SampledSystem& system
 
 /// The system that the program has with these words, with `--trim` where the graph rests; nothing
 /// with a problem.
-std::optional<SampledSystem> system_at(Run& run, const std::string& image,
-                                       const LinearizeOptions& options,
-                                       std::vector<std::string> words, int& code) {
+std::optional<Linearized> system_at(Run& run, const std::string& image,
+                                    const LinearizeOptions& options, std::vector<std::string> words,
+                                    int& code) {
   if (options.trim) {
     const auto point = trim_point(run, image, options.point, options, code);
     if (!point || !point->answer.found) return std::nullopt;
     const auto there = words_at(*point);
     words.insert(words.end(), there.begin(), there.end());
   }
-  return system_of(run, image, words, code);
+  auto system = system_of(run, image, words, code);
+  if (!system) return std::nullopt;
+  return Linearized{image, std::move(words), std::move(*system)};
 }
 
 /// The worst margins over the corners of what a reset samples; nothing with a problem.
@@ -136,9 +157,9 @@ std::optional<WorstMargins> worst_of_corners(Run& run, const std::string& image,
     there_options.at.insert(there_options.at.end(), corner.begin(), corner.end());
     std::vector<std::string> there_words = words;
     for (const std::string& state : corner) there_words.insert(there_words.end(), {"--at", state});
-    const auto system = system_at(run, image, there_options, there_words, code);
-    if (!system || system->opened == 0) return std::nullopt;
-    worst.take(margins_of(*system), corner);
+    const auto at = system_at(run, image, there_options, there_words, code);
+    if (!at || at->system.opened == 0) return std::nullopt;
+    worst.take(margins_of(at->system), corner);
   }
   return worst;
 }
@@ -157,18 +178,24 @@ int perform(const LinearizeOptions& given) {
     words.reset();
   const auto image = words ? build_linear_program(run, options, code) : std::nullopt;
   if (!image) return std::max(code, finish(run, options));
-  const auto system = system_at(run, *image, options, *words, code);
-  const auto corners = system && options.corners
-                           ? worst_of_corners(run, *image, options, *words, code)
-                           : std::nullopt;
-  if (!system || (options.corners && !corners)) return std::max(finish(run, options), code);
-  code = print(run, options, *system, opened, corners);
+  const auto at = system_at(run, *image, options, *words, code);
+  const auto corners =
+      at && options.corners ? worst_of_corners(run, *image, options, *words, code) : std::nullopt;
+  if (!at || (options.corners && !corners)) return std::max(finish(run, options), code);
+  code = print(run, options, *at, opened, corners);
   return code != kDone ? code : finish(run, options);
+}
+
+std::optional<double> size_of_step(const std::string& text) {
+  const auto size = parse_number(text);
+  return size && std::isfinite(*size) && *size != 0.0 ? size : std::nullopt;
 }
 
 std::string check(const LinearizeOptions& options) {
   if (!options.plot.empty() && options.open.empty())
     return "`--plot` draws a loop: it needs `--open PORT`";
+  if (options.step != 0.0 && options.plot.empty())
+    return "`--step-size` is the size of the step in the picture: it needs `--plot FILE.svg`";
   const TrimSettings& point = options.point;
   if (!options.trim && !(point.fix.empty() && point.moving.empty() && point.bounds.empty()))
     return "`--fix`, `--moving` and `--bounds` are for the search of `--trim`";
@@ -203,6 +230,14 @@ Command table(LinearizeOptions& options) {
             writes(text("--plot", options.plot,
                         "with --open: draw Bode and Nyquist plots, poles and the step response",
                         "FILE.svg")),
+            checked(
+                {"--step-size",
+                 "with --plot: size of the step that the program simulates, in the unit of the "
+                 "port (default: 5 % of the range of the port, or 1 if it has none)",
+                 "SIZE",
+                 [&options](const auto& values) { options.step = *size_of_step(values.front()); }},
+                [](const std::string& word) { return size_of_step(word).has_value(); },
+                "is no number other than 0"),
             writes(text("--npz", options.npz,
                         "write all matrices, names and poles as arrays for numpy.load()",
                         "FILE.npz")),
@@ -218,7 +253,7 @@ Command table(LinearizeOptions& options) {
            trim_arguments(options.point),
            {whole("--steps", options.steps,
                   "steps without an action before the operating point (default: until windows are "
-                  "full and delays have passed)",
+                  "full and delays have passed, with steady covariances)",
                   0, 1'000'000'000),
             whole("--seed", options.seed, "seed of random numbers (default: 1)", 0,
                   std::numeric_limits<std::int64_t>::max()),

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "generator/analysis/info/info.hpp"
 #include "generator/driver/commands/arguments.hpp"
-#include "generator/tools/linear/loop_curves.hpp"
+#include "generator/support/command_line/output.hpp"
+#include "generator/tools/page/units.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -28,6 +30,22 @@ std::vector<DataAge> ages_through(const Plan& plan, std::size_t channel, const P
   return result;
 }
 
+/// 5 % of what the port can send, or else 1.
+double default_step(const Space& space, std::size_t element) {
+  constexpr double kShare = 0.05;
+  if (element >= space.low.size() || element >= space.high.size()) return 1.0;
+  const double range = space.high[element] - space.low[element];
+  return std::isfinite(range) && range > 0.0 ? kShare * range : 1.0;
+}
+
+std::vector<double> numbers_in(const Json* list) {
+  std::vector<double> numbers;
+  if (list == nullptr || !list->is<Json::List>()) return numbers;
+  for (const Json& item : *list->as<Json::List>())
+    numbers.push_back(number_of(&item).value_or(0.0));
+  return numbers;
+}
+
 /// Of the loop opened at `port`, through the program `image`.
 std::optional<Json> loop_json(Run& run, const LinearOptions& options, const std::string& image,
                               const std::string& port, int& code) {
@@ -40,7 +58,9 @@ std::optional<Json> loop_json(Run& run, const LinearOptions& options, const std:
   if (!system) return std::nullopt;
   LinearReport report{&*system, modes_of(*system), {}, port, {}, {}};
   if (!add_loop(run, *opened, report)) return std::nullopt;
-  Json json = loop_curves_json(loop_curves_of(report));
+  const auto curves = loop_curves_of_program(run, image, words, *opened, 0.0, report, code);
+  if (!curves) return std::nullopt;
+  Json json = loop_curves_json(*curves);
   json["margins"] = margins_json(report);
   return json;
 }
@@ -57,6 +77,29 @@ bool add_loop(Run& run, const PortElement& port, LinearReport& report) {
   report.ages =
       ages_through(*run.plan, port.channel, info_of(*run.plan, run.spec->budget, run.diagnostics));
   return true;
+}
+
+std::optional<LoopCurves> loop_curves_of_program(Run& run, const std::string& image,
+                                                 std::vector<std::string> words,
+                                                 const PortElement& port, double size,
+                                                 const LinearReport& report, int& code) {
+  LoopCurves curves = loop_curves_of(report);
+  if (size == 0.0) size = default_step(space_of(*run.plan, port.channel), port.element);
+  const std::size_t messages = report.system->opened;
+  words.insert(words.end(), {"--step-size", fmt::format("{:.17g}", size), "--hyperperiods",
+                             fmt::format("{}", (step_messages(curves) + messages - 1) / messages)});
+  std::string failure;
+  const auto text = printed_by(image, words, failure, code);
+  const auto json = text ? parse_json(*text) : std::nullopt;
+  if (!json) {
+    complain_text(failure);
+    return std::nullopt;
+  }
+  const Channel& sent = run.plan->channels[port.channel];
+  const GraphNode& node = run.graph->nodes[sent.node];
+  add_simulated_step(numbers_in(member(&*json, "with")), numbers_in(member(&*json, "without")),
+                     size, unit_of(*run.graph, node, node.outputs[sent.output]), curves);
+  return curves;
 }
 
 std::optional<Json> loops_json(const GenerateOptions& options,

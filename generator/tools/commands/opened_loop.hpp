@@ -7,6 +7,7 @@
 
 #include "generator/support/json/json.hpp"
 #include "generator/tools/commands/linear_program.hpp"
+#include "generator/tools/linear/loop_curves.hpp"
 #include "generator/tools/linear/write.hpp"
 
 namespace eagerx::gen {
@@ -14,6 +15,14 @@ namespace eagerx::gen {
 /// Adds margins and ages to the report of a system that was opened at `port`. False with E0520: no
 /// derivative passes through it.
 bool add_loop(Run& run, const PortElement& port, LinearReport& report);
+
+/// The curves of a loop, with the step response that the program simulates. `words`: those of the
+/// program for which `report` is; `size`: of the step, 0: 5 % of the port's range, or else 1. What
+/// keeps the program from running is reported; then there is nothing.
+std::optional<LoopCurves> loop_curves_of_program(Run& run, const std::string& image,
+                                                 std::vector<std::string> words,
+                                                 const PortElement& port, double size,
+                                                 const LinearReport& report, int& code);
 
 /// Margins and curves of the loops opened at these ports, for the page; builds the program of
 /// target linearize. Nothing with a problem, which has been reported; `code` is the exit code.

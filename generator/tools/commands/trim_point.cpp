@@ -144,7 +144,7 @@ std::optional<TrimReport> trim_point(Run& run, const std::string& image,
                                      const TrimSettings& settings, const LinearOptions& options,
                                      int& code) {
   const Plan& plan = *run.plan;
-  std::vector<std::string> words = first_words(options, plan);
+  std::vector<std::string> words = first_words(options, plan, true);
   words.insert(words.end(), {"--compares", "0"});
   std::vector<std::string> reset;
   for (const std::string& text : options.at) {

@@ -102,6 +102,10 @@ class TrimAsker {
       if (each.low) number.low = *each.low;
       if (each.high) number.high = *each.high;
     }
+    for (const std::size_t word : there.settled) {
+      question_.words[word].value = there.system.state[word].value;
+      question_.words[word].settled = true;
+    }
     for (const SampledPort& port : there.system.inputs) {
       const Space& space = space_of(plan, port.channel);
       TrimNumber number;
@@ -120,12 +124,18 @@ class TrimAsker {
       if (each.option == "--at") take_beginning(each);
       if (each.option == "--fix") take_fixed(each);
       if (each.option == "--moving")
-        for (const NamedNumber* number : named(each)) number_at(*number, each).moving = true;
+        for (const NamedNumber* number : named(each))
+          choose(number_at(*number, each)).moving = true;
     }
     return std::move(question_);
   }
 
  private:
+  /// What the command line names, it asks for.
+  static TrimNumber& choose(TrimNumber& number) {
+    number.settled = false;
+    return number;
+  }
   bool is_state(const std::string& name) const {
     const auto states = states_of(*plan_.graph);
     return std::ranges::find(states, name, &NamedState::name) != states.end();
@@ -186,7 +196,7 @@ class TrimAsker {
       TrimNumber& number = number_at(*found[i], option);
       const auto value = value_for(option, i, found.size());
       if (!value) return;
-      number.value = *value;
+      choose(number).value = *value;
       if (*value >= number.low && *value <= number.high) continue;
       wrong(diagnostics_,
             fmt::format("`--at {}`: {:.9g} is not from {:.9g} to {:.9g}", option.name, *value,
@@ -205,7 +215,7 @@ class TrimAsker {
         continue;
       }
       TrimNumber& number = number_at(*found[i], option);
-      number.fixed = true;
+      choose(number).fixed = true;
       if (value) number.value = *value;
     }
   }

@@ -13,6 +13,13 @@ std::vector<double> numbers_in(const Json& list) {
   return numbers;
 }
 
+std::vector<std::size_t> words_in(const Json* list) {
+  std::vector<std::size_t> words;
+  for (const std::int64_t word : integers_of(list).value_or(std::vector<std::int64_t>()))
+    words.push_back(static_cast<std::size_t>(word));
+  return words;
+}
+
 ResetElement reset_element_of(const Json& item) {
   const auto& parts = *item.as<Json::List>();
   return {text_of(&parts[0]),
@@ -69,6 +76,7 @@ std::optional<Hyperperiod> read_hyperperiod(std::string_view text, const Plan& p
   result.later = numbers_in(values[3]);
   for (const Json& item : *member(&*json, "states")->as<Json::List>())
     result.states.push_back(reset_element_of(item));
+  result.settled = words_in(member(&*json, "settled"));
   const auto& reset = *member(&*json, "reset")->as<Json::List>();
   for (std::size_t k = 0; k < result.states.size(); ++k)
     result.states[k].word = word_of(result, reset, k);

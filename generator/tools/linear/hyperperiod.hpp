@@ -31,6 +31,9 @@ struct Hyperperiod {
   std::vector<double> observed;     // y
   std::vector<double> later;        // x'' after another one: not F(x', u) if F depends on the time
   std::vector<ResetElement> states;
+  // Numbers of nodes that depend on nothing but themselves, such as a filter's covariance, and that
+  // were brought to rest.
+  std::vector<std::size_t> settled;
 };
 
 /// Whether a number stays what it is, or changes in the same way, whatever the others are: a

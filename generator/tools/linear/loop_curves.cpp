@@ -25,12 +25,12 @@ std::vector<BodePoint> bode_of(const SampledSystem& system) {
 
 /// Half as long again as it takes until the response stays within 1 % of its end; every n-th
 /// message, so that at most kSteps are left.
-std::vector<StepSample> seen_of(std::vector<StepSample> all) {
+std::vector<StepSample> seen_of(std::vector<StepSample> all, std::size_t& stride) {
   constexpr std::size_t kFewest = 40;
   std::size_t settled = all.size();
   while (settled > 0 && std::abs(all[settled - 1].sent - all.back().sent) < 0.01) --settled;
   all.resize(std::min(all.size(), std::max(kFewest, settled + settled / 2)));
-  const std::size_t stride = (all.size() + kSteps - 1) / kSteps;
+  stride = (all.size() + kSteps - 1) / kSteps;
   std::vector<StepSample> kept;
   for (std::size_t i = 0; i < all.size(); i += stride) kept.push_back(all[i]);
   return kept;
@@ -48,6 +48,14 @@ Json complex_json(const std::vector<std::complex<double>>& values) {
   return list;
 }
 
+/// [time, returned, sent]
+Json step_json(const std::vector<StepSample>& samples) {
+  Json list = Json::list();
+  for (const StepSample& each : samples)
+    list.push_back(Json::List{rounded(each.time_s), rounded(each.returned), rounded(each.sent)});
+  return list;
+}
+
 }  // namespace
 
 LoopCurves loop_curves_of(const LinearReport& report) {
@@ -60,22 +68,45 @@ LoopCurves loop_curves_of(const LinearReport& report) {
     if (pole.z.imag() != 0.0) curves.open_poles.push_back(std::conj(pole.z));
   }
   curves.closed_poles = closed_poles_of(*report.system);
-  curves.step = seen_of(step_response_of(*report.system));
+  curves.step = seen_of(step_response_of(*report.system), curves.stride);
   return curves;
 }
 
+std::size_t step_messages(const LoopCurves& curves) {
+  return curves.step.empty() ? 0 : (curves.step.size() - 1) * curves.stride + 1;
+}
+
+void add_simulated_step(const std::vector<double>& with, const std::vector<double>& without,
+                        double size, const std::string& unit, LoopCurves& curves) {
+  SimulatedStep simulated{size, unit, {}, 0.0};
+  for (std::size_t i = 0; i < curves.step.size(); ++i) {
+    const std::size_t message = i * curves.stride;
+    if (message >= with.size() || message >= without.size()) break;
+    const double sent = (with[message] - without[message]) / size;
+    simulated.step.push_back({curves.step[i].time_s, 1.0 + sent, -sent});
+    simulated.difference =
+        std::max(simulated.difference, std::abs(-sent - curves.step[i].returned));
+  }
+  curves.simulated = std::move(simulated);
+}
+
 Json loop_curves_json(const LoopCurves& curves) {
-  Json bode = Json::list(), step = Json::list();
+  Json bode = Json::list();
   for (const BodePoint& each : curves.bode)
     bode.push_back(Json::List{rounded(each.frequency_hz), rounded(each.gain_db),
                               rounded(each.phase_deg), rounded(each.loop.real()),
                               rounded(each.loop.imag())});
-  for (const StepSample& each : curves.step)
-    step.push_back(Json::List{rounded(each.time_s), rounded(each.returned), rounded(each.sent)});
-  return Json{{"bode", std::move(bode)},
-              {"open_poles", complex_json(curves.open_poles)},
-              {"closed_poles", complex_json(curves.closed_poles)},
-              {"step", std::move(step)}};
+  Json json{{"bode", std::move(bode)},
+            {"open_poles", complex_json(curves.open_poles)},
+            {"closed_poles", complex_json(curves.closed_poles)},
+            {"step", step_json(curves.step)}};
+  const SimulatedStep& simulated = curves.simulated;
+  if (simulated.size != 0.0)
+    json["simulated"] = Json{{"size", simulated.size},
+                             {"unit", simulated.unit},
+                             {"difference", rounded(simulated.difference)},
+                             {"step", step_json(simulated.step)}};
+  return json;
 }
 
 }  // namespace eagerx::gen

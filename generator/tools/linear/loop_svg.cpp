@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kPageWidth = 760, kPageTitle = 36;
 constexpr double kMostGain_dB = 80.0;  // of what is shown, up and down
+constexpr const char* kSimulatedLook = " stroke-dasharray=\"4 4\"";
 constexpr std::size_t kLoopColour = 0, kMarginColour = 1, kOtherColour = 2;  // colours
 
 /// A rectangle of the picture with axes of its own, in pixels.
@@ -232,12 +233,32 @@ class LoopPicture {
       range.low = std::min({range.low, each.returned, each.sent});
       range.high = std::max({range.high, each.returned, each.sent});
     }
+    Points simulated, simulated_sent;
+    const double height = range.high - range.low;  // that of the linear model may double
+    const PlotRange most{range.low - height, range.high + height};
+    for (const StepSample& each : curves_.simulated.step) {
+      simulated.emplace_back(each.time_s, each.returned);
+      simulated_sent.emplace_back(each.time_s, each.sent);
+      range.low = std::max(most.low, std::min({range.low, each.returned, each.sent}));
+      range.high = std::min(most.high, std::max({range.high, each.returned, each.sent}));
+    }
     const PlotRange time{0.0, curves_.step.back().time_s};
     const Axes axes({70, 690, 870, 1010}, time, range);
     return axes.grid(marks_of(time, 8), marks_of(range, 4),
                      "closed loop after a unit step at the port: T (what returns) and S = 1 - T",
                      "time [s]") +
-           axes.curve(returned, kLoopColour) + axes.curve(sent, kOtherColour);
+           axes.curve(returned, kLoopColour) + axes.curve(sent, kOtherColour) +
+           axes.curve(simulated, kMarginColour, kSimulatedLook) +
+           axes.curve(simulated_sent, kMarginColour, kSimulatedLook) + simulated_text();
+  }
+
+  std::string simulated_text() const {
+    const SimulatedStep& simulated = curves_.simulated;
+    if (simulated.size == 0.0) return {};
+    return svg_label(70, 1042, "start",
+                     fmt::format("dashed: simulated, a step of {:.3g}{}{}, divided by its size",
+                                 simulated.size, simulated.unit.empty() ? "" : " ", simulated.unit),
+                     fmt::format("t{}", kMarginColour));
   }
 
   const LoopCurves& curves_;

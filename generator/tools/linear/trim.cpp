@@ -28,8 +28,12 @@ struct TrimPoint {
 
 class TrimSearch {
  public:
-  TrimSearch(const TrimQuestion& question, const Evaluate& evaluate)
-      : question_(question), evaluate_(evaluate), moves_(question.words.size()) {
+  /// `apart`: words that keep their values.
+  TrimSearch(const TrimQuestion& question, const Evaluate& evaluate, std::vector<bool> apart)
+      : question_(question),
+        evaluate_(evaluate),
+        apart_(std::move(apart)),
+        moves_(question.words.size()) {
     for (std::size_t i = 0; i < moves_.size(); ++i) moves_[i] = question.words[i].moving;
   }
 
@@ -102,7 +106,7 @@ class TrimSearch {
     variables_.clear();
     unread_.clear();
     for (std::size_t i = 0; i < moves_.size(); ++i) {
-      if (moves_[i]) continue;
+      if (moves_[i] || apart_[i]) continue;
       const bool fixed = question_.words[i].fixed;
       if (!fixed && is_unread(i)) {
         unread_.push_back(i);
@@ -243,7 +247,7 @@ class TrimSearch {
     TrimAnswer answer;
     answer.found = residual.size() == 0 || residual.cwiseAbs().maxCoeff() <= kTolerance;
     answer.depends_on_time = answer.found && changes_later();
-    answer.found = answer.found && !answer.depends_on_time;
+    answer.found = answer.found && !answer.depends_on_time && settled_rest();
     answer.evaluations = evaluations_;
     const Eigen::MatrixXd j = jacobian();
     if (!answer.found) add_bounds(j.transpose() * residual, answer);
@@ -267,6 +271,16 @@ class TrimSearch {
       for (double& x : *numbers) x = std::abs(x) < kNothing ? 0.0 : x;
     }
     return answer;
+  }
+  /// Numbers that settled before the search rest after it: they depend on nothing else, but
+  /// derivatives tell that only of where it began.
+  bool settled_rest() const {
+    for (std::size_t i = 0; i < apart_.size(); ++i) {
+      const double change = point_.there.next[i] - point_.words[i];
+      if (apart_[i] && !(std::abs(change) <= kTolerance * scale_of(question_.words[i])))
+        return false;
+    }
+    return true;
   }
   /// What rests now does not in the next hyperperiod, even though this one ends where it began.
   bool changes_later() const {
@@ -309,7 +323,7 @@ class TrimSearch {
   const TrimQuestion& question_;
   const Evaluate& evaluate_;
   TrimPoint point_;
-  std::vector<bool> moves_;
+  std::vector<bool> apart_, moves_;
   std::vector<Place> rows_, variables_;
   std::vector<std::size_t> unread_;
   std::size_t evaluations_ = 0;
@@ -320,7 +334,12 @@ class TrimSearch {
 
 std::optional<TrimAnswer> find_operating_point(const TrimQuestion& question,
                                                const Evaluate& evaluate) {
-  return TrimSearch(question, evaluate).run();
+  std::vector<bool> settled, none(question.words.size());
+  for (const TrimNumber& word : question.words) settled.push_back(word.settled);
+  auto first = TrimSearch(question, evaluate, settled).run();
+  if (settled == none || !first || first->found) return first;
+  auto second = TrimSearch(question, evaluate, none).run();
+  return second && second->found ? second : first;
 }
 
 }  // namespace eagerx::gen

@@ -18,8 +18,9 @@ struct TrimNumber {
   double value = 0.0;
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool fixed = false;   // it keeps its value, and must be at rest
-  bool moving = false;  // it need not be at rest, nor what depends on it
+  bool fixed = false;    // it keeps its value, and must be at rest
+  bool moving = false;   // it need not be at rest, nor what depends on it
+  bool settled = false;  // it rests, whatever the others are: it keeps its value
 };
 
 /// An output that has to have a value.

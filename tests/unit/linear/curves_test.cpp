@@ -63,6 +63,36 @@ TEST(LoopCurves, PhaseGoesBeyondHalfATurn) {
     EXPECT_NEAR(each.phase_deg, -90.0 - 5.0 * 180.0 * each.frequency_hz * kPeriod, 1e-6);
 }
 
+// The integrator itself, with a step of 0.5 on a message that is 2 without it; from the tenth
+// message on it sends half as much.
+TEST(LoopCurves, SimulatedStepIsDividedByItsSize) {
+  LoopCurves curves = curves_of_integrator(1);
+  const double size = 0.5;
+  std::vector<double> with, without(step_messages(curves), 2.0);
+  double x = 0.0;
+  for (std::size_t i = 0; i < without.size(); ++i) {
+    const double y = i < 10 ? -x : -0.5 * x;
+    with.push_back(2.0 + y);
+    x += kGain * kPeriod * (y + size);
+  }
+  add_simulated_step(with, without, size, "V", curves);
+  const auto& [found_size, unit, step, difference] = curves.simulated;
+  ASSERT_EQ(step.size(), curves.step.size());
+  for (std::size_t i = 0; i < 10; ++i) {
+    EXPECT_NEAR(step[i].returned, curves.step[i].returned, 1e-12);
+    EXPECT_NEAR(step[i].sent, curves.step[i].sent, 1e-12);
+  }
+  const double half = curves.step[10].returned / 2.0;
+  EXPECT_NEAR(step[10].returned, half, 1e-12);
+  EXPECT_GE(difference, half - 1e-12) << "the largest of all messages";
+  EXPECT_NE(dump_json(loop_curves_json(curves)).find("\"V\""), std::string::npos);
+  EXPECT_NE(loop_svg(curves, "robot").find("a step of 0.5 V"), std::string::npos);
+  // The program has diverged: what it sent until then.
+  with.resize(3);
+  add_simulated_step(with, without, size, "", curves);
+  EXPECT_EQ(curves.simulated.step.size(), 3U);
+}
+
 TEST(LoopCurves, PictureNamesPortAndMargins) {
   const LoopCurves curves = curves_of_integrator(3);
   const std::string text = loop_svg(curves, "robot <1>");
@@ -72,6 +102,7 @@ TEST(LoopCurves, PictureNamesPortAndMargins) {
   EXPECT_NE(text.find("20 dB"), std::string::npos) << "the gain margin, 2/(k·h)";
   EXPECT_EQ(text.find("nan"), std::string::npos);
   EXPECT_EQ(text.find("inf"), std::string::npos);
+  EXPECT_EQ(text.find("simulated"), std::string::npos) << "no program has run";
 }
 
 }  // namespace
