@@ -70,8 +70,10 @@ Placed<Real> placed(const Motion<Model>& motion, std::size_t body) {
     l = kLinks[l].parent;
   }
   Placed<Real> at{motion.position, motion.rotation, motion.velocity, motion.spin};
-  for (const std::uint32_t i : bounded<kMost>(length)) {
-    l = path[length - 1 - i];
+  // All places: the compiler knows that `length` is at most their number, and leaves a limit out.
+  for (std::size_t i = kMost; i-- > 0;) {
+    if (i >= length) continue;
+    l = path[i];
     follow_joint(kLinks[l], motion.q[l], motion.v[l], at);
   }
   const Vec<Real> arm = rotated(at.rotation, constant<Real>(kTree<Model>.place_of_body[body]));
