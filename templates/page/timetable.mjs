@@ -85,7 +85,8 @@ function loadText({name, time}) {
 function boundTable({name, time}) {
   const number = (key, text) =>
       ({name: text, number: true, cell: (row) => row[key] === undefined ? "–" : count(Math.round(row[key]))});
-  const rows = [...time.slots, ...time.parts, ...time.nodes].filter((row) => row.bound);
+  const steps = time.steps ? [time.steps.longest, time.steps.hyperperiod] : [];
+  const rows = [...time.slots, ...steps, ...time.parts, ...time.nodes].filter((row) => row.bound);
   const missing =
       time.missing.map(({what, place, of}) => el("li", {}, `${what} at ${place}: none for ${of.join(", ")}`));
   return el(

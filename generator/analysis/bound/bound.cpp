@@ -11,6 +11,7 @@
 
 #include "generator/analysis/bound/cycles.hpp"
 #include "generator/analysis/bound/regions.hpp"
+#include "generator/analysis/bound/slot_code.hpp"
 #include "generator/analysis/size/function_name.hpp"
 #include "generator/analysis/size/program_file.hpp"
 #include "generator/analysis/size/tools.hpp"
@@ -214,17 +215,23 @@ class Report {
         functions[due_in(places_.functions()[i])].insert(i);
     }
     std::vector<Region> all;
+    std::vector<bound::SlotCode> code;
     for (const auto& [due, of_slot] : functions) {
       Both sum;
+      std::vector<SlotBound::Half> halves;
       for (const std::string_view half : kHalves) {
         const auto regions = regions_.find([&, &of_slot = of_slot](std::uint32_t function) {
           return names_[function] == half && of_slot.contains(function);
         });
-        sum.add(both([&](bound::Regions& in) { return in.most(regions); }));
+        const Both most = both([&](bound::Regions& in) { return in.most(regions); });
+        sum.add(most);
+        halves.push_back({most.instructions.most, most.cycles.most});
+        code.push_back({due, half == kHalves.back(), regions});
         all.insert(all.end(), regions.begin(), regions.end());
       }
-      report_.slots.push_back({row(slot_name(due), sum), due});
+      report_.slots.push_back({row(slot_name(due), sum), due, halves.front(), halves.back()});
     }
+    report_.slots_share_code = functions.size() > 1 && bound::is_shared(analysis_, code);
     if (!step_.empty() && !all.empty())
       report_.parts.push_back(
           row("schedule", both([&](bound::Regions& in) { return in.most_without(step_, all); })));

@@ -32,7 +32,11 @@ struct InstructionBound {
 
 /// Of a kind of slot.
 struct SlotBound : InstructionBound {
+  struct Half {
+    std::uint64_t most = 0, cycles = 0;
+  };
   std::optional<std::uint64_t> due;  // its rates, as bits; nullopt: any
+  Half before = {}, after = {};      // the environment's action
 };
 
 /// An interrupt of the board.
@@ -63,6 +67,7 @@ struct FunctionBound {
 struct BoundReport {
   std::vector<InstructionBound> parts;   // step, reset, guard, policy: those that the image has
   std::vector<SlotBound> slots;          // each kind of slot, by the rates that are due
+  bool slots_share_code = false;         // compilers may join what several kinds run
   std::vector<InstructionBound> nodes;   // in a step
   std::vector<FunctionBound> functions;  // that have a bound; for comparisons with what is executed
   std::vector<NoBound> missing;
@@ -79,6 +84,11 @@ struct BoundReport {
 std::optional<BoundReport> bound_instructions(const std::string& image,
                                               const std::vector<std::string>& rates,
                                               const Machine* machine, Diagnostics& diagnostics);
+
+/// A part of the table, as in bound_text(), and a row as in bound_json().
+std::string bound_rows_text(const char* title, const std::vector<InstructionBound>& rows,
+                            const std::optional<TimeModel>& time);
+Json bound_row_json(const InstructionBound& row, const std::optional<TimeModel>& time);
 
 std::string bound_text(const BoundReport& report);
 /// `with_functions`: with the bound of each function of the image, for comparisons.

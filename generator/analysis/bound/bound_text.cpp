@@ -16,16 +16,18 @@ double us_of(const TimeModel& time, std::uint64_t cycles) {
   return time.seconds(cycles) * kUsPerS;
 }
 
+std::string row_text(const InstructionBound& row, const std::optional<TimeModel>& time) {
+  std::string text = fmt::format("  {:<28} {:>10}", row.name, row.most);
+  if (time) text += fmt::format(" {:>10} {:>11.1f}", row.cycles, us_of(*time, row.cycles));
+  return text + (row.is_bound ? "\n" : " and more\n");
+}
+
 template <class Row>
 void add_rows(std::string& text, const char* title, const std::vector<Row>& rows,
               const std::optional<TimeModel>& time) {
   if (rows.empty()) return;
   text += fmt::format("{}\n", title);
-  for (const InstructionBound& row : rows) {
-    text += fmt::format("  {:<28} {:>10}", row.name, row.most);
-    if (time) text += fmt::format(" {:>10} {:>11.1f}", row.cycles, us_of(*time, row.cycles));
-    text += row.is_bound ? "\n" : " and more\n";
-  }
+  for (const Row& row : rows) text += row_text(row, time);
 }
 
 std::string wait_states_text(const TimeModel& time) {
@@ -46,18 +48,10 @@ std::string assumptions_text(const TimeModel& time) {
   return text;
 }
 
-Json row_json(const InstructionBound& row, const std::optional<TimeModel>& time) {
-  Json json{{"name", row.name}, {"most", row.most}, {"bound", row.is_bound}};
-  if (!time) return json;
-  json["cycles"] = row.cycles;
-  json["us"] = us_of(*time, row.cycles);
-  return json;
-}
-
 template <class Row>
 Json rows_json(const std::vector<Row>& rows, const std::optional<TimeModel>& time) {
   Json json = Json::list();
-  for (const InstructionBound& row : rows) json.push_back(row_json(row, time));
+  for (const InstructionBound& row : rows) json.push_back(bound_row_json(row, time));
   return json;
 }
 
@@ -95,6 +89,21 @@ double TimeModel::seconds(std::uint64_t cycles) const {
 const InstructionBound* BoundReport::part(std::string_view name) const {
   const auto found = std::ranges::find(parts, name, &InstructionBound::name);
   return found == parts.end() ? nullptr : &*found;
+}
+
+Json bound_row_json(const InstructionBound& row, const std::optional<TimeModel>& time) {
+  Json json{{"name", row.name}, {"most", row.most}, {"bound", row.is_bound}};
+  if (!time) return json;
+  json["cycles"] = row.cycles;
+  json["us"] = us_of(*time, row.cycles);
+  return json;
+}
+
+std::string bound_rows_text(const char* title, const std::vector<InstructionBound>& rows,
+                            const std::optional<TimeModel>& time) {
+  std::string text;
+  add_rows(text, title, rows, time);
+  return text;
 }
 
 std::string bound_text(const BoundReport& report) {

@@ -127,9 +127,11 @@ class Step : Calculation {
     // A part of a function, which assembly calls, preserves nothing.
     const bool is_function =
         image_.functions().contains(instruction_.target) || instruction_.turn == Turn::call_pointer;
+    const Value first = state_.registers[0];
     for (std::size_t r = 0; r < kCore; ++r) {
       if (r != kSp && (!is_function || r < 4 || r == 12 || r == 14)) write(r, std::nullopt);
     }
+    if (returns_first_argument()) write(0, first);
     for (std::size_t s = 0; s < (is_function ? kCore : kRegisters - kCore); ++s)
       write(kCore + s, std::nullopt);
     state_.comparison.reset();
@@ -137,6 +139,14 @@ class Step : Calculation {
     const Value& sp = state_.registers[kSp];
     if (sp.base != kStack) return state_.stack.clear();
     state_.stack.erase_if([&](const auto& slot) { return slot.first < sp.low; });
+  }
+
+  /// Those of C which do, which compilers rely on (ISO C 7.24.2, 7.24.6).
+  [[nodiscard]] bool returns_first_argument() const {
+    const auto callee = image_.functions().find(instruction_.target);
+    if (instruction_.turn != Turn::call || callee == image_.functions().end()) return false;
+    const std::string& name = callee->second;
+    return name == "memcpy" || name == "memmove" || name == "memset";
   }
 
   /// Semihosting answers in r0, and may write where a pointer leads.

@@ -260,10 +260,18 @@ Walk::Enumerated Walk::one_by_one(LoopIndex l, const State& in, std::optional<Tu
   return {Turns{turns, false}, std::move(ranges)};
 }
 
+/// A pass with less than what is known of the header: what it finds of inner loops does not count.
+Walk::Pass Walk::trial(LoopIndex l, const State& header) {
+  ++trials_;
+  Pass result = pass(l, header, false);
+  --trials_;
+  return result;
+}
+
 std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
   // First with all values open, then with those that stay and those that keep their distance.
   State header = open_header(l, in, {{false, kSp}});
-  Pass first = pass(l, header, false);
+  Pass first = trial(l, header);
   Changes found;
   Ties ties;
   Enumerated turned;
@@ -274,12 +282,12 @@ std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
     ties = likely_ties(in, found.fixed);
     header = open_header(l, in, found.fixed);
     tie(l, in, ties, header);
-    Pass second = pass(l, header, false);
+    Pass second = trial(l, header);
     for (bool again = true; second.latch && !hold(ties, in, *second.latch); again = false) {
       ties = again ? kept_ties(ties, in, *second.latch) : Ties();
       header = open_header(l, in, found.fixed);
       tie(l, in, ties, header);
-      second = pass(l, header, false);
+      second = trial(l, header);
     }
     if (second.latch) {
       found = changes(l, in, header, *second.latch, found.fixed);
@@ -316,7 +324,7 @@ std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
 void Walk::count_inner(LoopIndex l, bool record, std::optional<Turns>& count) {
   if (!count) ++unbounded_;
   const auto most = count ? std::optional(count->most) : std::nullopt;
-  if (depth_ > 0) {
+  if (depth_ > 0 && trials_ == 0) {
     const auto [known, is_new] = inner_.emplace(l, most);
     if (!is_new)
       known->second = known->second && most ? std::max(known->second, most) : std::nullopt;

@@ -58,6 +58,7 @@ class Walk {
   using Counts = std::map<LoopIndex, std::optional<std::uint64_t>>;
   Enumerated one_by_one(LoopIndex l, const State& in, std::optional<Turns> known);
   static void widen(std::map<Location, Value>& ranges, const State& header, bool is_first);
+  Pass trial(LoopIndex l, const State& header);
   std::map<Edge, State> loop(LoopIndex l, const State& in, bool record);
   void count_inner(LoopIndex l, bool record, std::optional<Turns>& count);
   State open_header(LoopIndex l, const State& in, const std::set<Location>& fixed);
@@ -92,6 +93,7 @@ class Walk {
   std::map<LoopIndex, std::pair<std::int64_t, bool>> escapes_;  // of a loop: what escapes in it
   State entry_;
   unsigned depth_ = 0;      // of loops that are gone through one by one
+  unsigned trials_ = 0;     // of passes that are trials
   Counts inner_;            // of loops in a loop that was, in each of its turns
   unsigned unbounded_ = 0;  // loops without a number of turns so far
 };

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
+#include "generator/backend/emit/schedule_view.hpp"
 #include "generator/backend/emit/types.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
@@ -31,6 +33,7 @@ class ResetView {
     view_.set("has_start", keeps);
     const Rational ticks = graph_.reset_timeout_s * graph_.environment().rate_hz;
     view_.set("most_ticks", fmt::format("{}", ticks.ceil()));
+    add_most_slots(static_cast<std::uint64_t>(ticks.ceil()));
     return std::move(view_);
   }
 
@@ -260,6 +263,16 @@ class ResetView {
       parts.push_back(part);
     }
     return parts;
+  }
+
+  /// The slots of a routine in so many ticks, if 32 bits can count them: a limit that the analysis
+  /// of an image finds (generator/analysis/bound).
+  void add_most_slots(std::uint64_t ticks) {
+    const std::uint64_t in_tick = most_slots(plan_);
+    const bool fits = ticks <= std::numeric_limits<std::uint32_t>::max() / in_tick;
+    view_["most_slots"] = View(false);
+    if (fits) view_.set("most_slots", fmt::format("{}", ticks * in_tick));
+    view_.set("counts_ticks", fits && in_tick == 1);
   }
 
   /// The routine of the reset nodes.

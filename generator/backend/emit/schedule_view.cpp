@@ -73,25 +73,6 @@ class ScheduleView {
     return schedule_.form == ScheduleForm::table ? "due_now()" : constant(schedule_.masks.front());
   }
 
-  /// Slots from one observation to the next, at most.
-  std::uint64_t most_slots() const {
-    const std::size_t own = plan_.nodes[Graph::kEnvironment].rate;
-    const auto observes = [&](std::uint64_t mask) { return (mask >> own & 1U) != 0; };
-    std::uint64_t most = 0, since = 0;
-    // Twice, because the last ones continue at the beginning.
-    for (std::size_t i = 0; i < 2 * schedule_.masks.size(); ++i) {
-      ++since;
-      if (!observes(schedule_.masks[i % schedule_.masks.size()])) continue;
-      most = std::max(most, since);
-      since = 0;
-    }
-    if (!schedule_.masks.empty()) return most;
-    // Every slot is a tick of some rate.
-    for (const auto& rate : plan_.rates)
-      most += static_cast<std::uint64_t>((rate.rate_hz / plan_.rates[own].rate_hz).ceil());
-    return most;
-  }
-
   /// The slots after the environment's own, equal neighbours as one loop.
   View constants() const {
     View runs = list();
@@ -155,7 +136,7 @@ class ScheduleView {
   View table_of_masks() const {
     std::vector<std::string> values;
     // A step that begins near the end finds its next slots behind it.
-    for (std::size_t i = 0; i < schedule_.masks.size() + most_slots(); ++i)
+    for (std::size_t i = 0; i < schedule_.masks.size() + most_slots(plan_); ++i)
       values.push_back(fmt::format("{}", schedule_.masks[i % schedule_.masks.size()]));
     const std::size_t bits = plan_.rates.size();
     View view = table(values, bits <= 8    ? "std::uint8_t"
@@ -174,7 +155,7 @@ class ScheduleView {
     View view = object();
     view.set("type", type);
     view.set("count", fmt::format("{}", values.size()));
-    view.set("most_slots", fmt::format("{}", most_slots()));
+    view.set("most_slots", fmt::format("{}", most_slots(plan_)));
     view.set("slots", fmt::format("{}", schedule_.masks.size()));
     view.set("last", fmt::format("{}", schedule_.masks.size() - 1));
     view.set("values", braced(values));
@@ -186,7 +167,7 @@ class ScheduleView {
     for (const auto& rate : plan_.rates) periods.push_back(fmt::format("{}", rate.period));
     View view = object();
     view.set("rates", fmt::format("{}", periods.size()));
-    view.set("most_slots", fmt::format("{}", most_slots()));
+    view.set("most_slots", fmt::format("{}", most_slots(plan_)));
     view.set("periods", braced(periods));
     return view;
   }
@@ -198,6 +179,25 @@ class ScheduleView {
 };
 
 }  // namespace
+
+std::uint64_t most_slots(const Plan& plan) {
+  const std::vector<std::uint64_t>& masks = plan.schedule.masks;
+  const std::size_t own = plan.nodes[Graph::kEnvironment].rate;
+  const auto observes = [&](std::uint64_t mask) { return (mask >> own & 1U) != 0; };
+  std::uint64_t most = 0, since = 0;
+  // Twice, because the last ones continue at the beginning.
+  for (std::size_t i = 0; i < 2 * masks.size(); ++i) {
+    ++since;
+    if (!observes(masks[i % masks.size()])) continue;
+    most = std::max(most, since);
+    since = 0;
+  }
+  if (!masks.empty()) return most;
+  // Every slot is a tick of some rate.
+  for (const auto& rate : plan.rates)
+    most += static_cast<std::uint64_t>((rate.rate_hz / plan.rates[own].rate_hz).ceil());
+  return most;
+}
 
 View schedule_view(const Plan& plan, const ProgramNames& names) {
   return ScheduleView(plan, names).make();

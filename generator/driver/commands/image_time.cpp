@@ -4,9 +4,11 @@
 
 #include <fstream>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "generator/driver/commands/image_graph.hpp"
+#include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -38,19 +40,43 @@ std::optional<Machine> machine_of_image(Run& run, const LibraryOptions& options,
   return target == nullptr ? std::nullopt : std::optional(machine_of(*target));
 }
 
-std::optional<BoundReport> bound_of_image(Run& run, const std::string& image,
-                                          const Machine* machine) {
-  return bound_instructions(image, rate_names(run), machine, run.diagnostics);
+std::optional<ImageTime> time_of_image(Run& run, const LibraryOptions& options,
+                                       const std::string& image, bool of_graph,
+                                       Diagnostics& diagnostics) {
+  const auto machine = machine_of_image(run, options, image);
+  auto bound =
+      bound_instructions(image, rate_names(run), machine ? &*machine : nullptr, diagnostics);
+  if (!bound) return std::nullopt;
+  ImageTime time{std::move(*bound), std::nullopt, std::nullopt};
+  if (!of_graph || !run.plan) return time;
+  time.steps = step_bounds(time.bound, *run.plan);
+  time.fit = fit_of(time.bound, *run.plan);
+  return time;
 }
 
-std::optional<Json> time_json(Run& run, const LibraryOptions& options, const std::string& image) {
-  const auto machine = machine_of_image(run, options, image);
-  Diagnostics unbound;  // the page lists what has no bound
-  const auto report =
-      bound_instructions(image, rate_names(run), machine ? &*machine : nullptr, unbound);
-  if (!report) return std::nullopt;
-  Json json = bound_json(*report, false);
-  if (const auto fit = fit_of(*report, *run.plan)) json["fit"] = fit_json(*fit);
+bool check_image_nodes(const std::string& image, const std::vector<std::string>& nodes,
+                       const Graph& graph, Diagnostics& diagnostics) {
+  for (const std::string& name : nodes) {
+    if (ranges::contains(graph.nodes, name, &GraphNode::name)) continue;
+    diagnostics
+        .error("E0361", {},
+               fmt::format("`{}` is an image of another graph: `{}` has no node `{}`", image,
+                           graph.file_name, name))
+        .help = "give an image that was built from this graph and for the same engine";
+    return false;
+  }
+  return true;
+}
+
+std::string time_text(const ImageTime& time) {
+  return bound_text(time.bound) + (time.steps ? steps_text(*time.steps, time.bound.time) : "") +
+         (time.fit ? fit_text(*time.fit) : "");
+}
+
+Json time_json(const ImageTime& time, bool with_functions) {
+  Json json = bound_json(time.bound, with_functions);
+  if (time.steps) json["steps"] = steps_json(*time.steps, time.bound.time);
+  if (time.fit) json["fit"] = fit_json(*time.fit);
   return json;
 }
 
@@ -77,7 +103,7 @@ void note_built_time(Run& run, const GraphOptions& options,
 
 void check_built_time(Run& run, const BuiltProgram& program) {
   const Machine machine = machine_of(*program.target);
-  const auto report = bound_of_image(run, program.image, &machine);
+  const auto report = bound_instructions(program.image, rate_names(run), &machine, run.diagnostics);
   if (report)
     check_time_budget(*report, fit_of(*report, *run.plan), *run.plan, *run.spec->budget,
                       run.diagnostics);

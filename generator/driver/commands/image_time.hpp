@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/analysis/fit/fit.hpp"
+#include "generator/analysis/fit/steps.hpp"
 #include "generator/driver/build/built.hpp"
 
 namespace eagerx::gen {
@@ -16,13 +17,24 @@ Machine machine_of(const Target& target);
 std::optional<Machine> machine_of_image(Run& run, const LibraryOptions& options,
                                         const std::string& image);
 
-/// bound_instructions() with the names of the plan's rates, if there is a plan.
-std::optional<BoundReport> bound_of_image(Run& run, const std::string& image,
-                                          const Machine* machine);
+/// The bounds of an image, and what they mean for its graph.
+struct ImageTime {
+  BoundReport bound;
+  std::optional<StepBounds> steps;  // with a graph
+  std::optional<Fit> fit;           // with a graph, on a board with cycles
+};
 
-/// What a page shows of an image of the graph: its bounds without those of functions, and with
-/// `fit` whether they fit. nullopt: it has none, which is no problem of the page.
-std::optional<Json> time_json(Run& run, const LibraryOptions& options, const std::string& image);
+/// `of_graph`: whether the image is of the run's plan; else it is bounded alone. Problems: as of
+/// bound_instructions(), for which the result is nullopt or has less.
+std::optional<ImageTime> time_of_image(Run& run, const LibraryOptions& options,
+                                       const std::string& image, bool of_graph,
+                                       Diagnostics& diagnostics);
+/// Whether the graph has all nodes that lie in an image: E0361.
+bool check_image_nodes(const std::string& image, const std::vector<std::string>& nodes,
+                       const Graph& graph, Diagnostics& diagnostics);
+
+std::string time_text(const ImageTime& time);
+Json time_json(const ImageTime& time, bool with_functions);
 
 /// Says how much of their time the slots of images that were just built take at most.
 void note_built_time(Run& run, const GraphOptions& options,

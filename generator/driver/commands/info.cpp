@@ -11,6 +11,7 @@
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/entity_json.hpp"
+#include "generator/driver/commands/image_time.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 #include "generator/frontend/compose/flat_text.hpp"
 #include "generator/frontend/library/other_names.hpp"
@@ -218,8 +219,29 @@ std::string profile_text(const GraphSpec& spec) {
 
 struct InfoOptions : GraphOptions {
   std::string entity;  // or target, or graph file; empty: list all
+  std::vector<std::string> images;
   bool flat = false, json_output = false;
 };
+
+/// The bounds of images of the graph, as `size --worst` has them.
+Json image_times(Run& run, const InfoOptions& options) {
+  Json all = Json::list();
+  for (const std::string& image : options.images) {
+    const auto time = time_of_image(run, options, image, true, run.diagnostics);
+    if (!time) continue;
+    std::vector<std::string> nodes;
+    for (const InstructionBound& row : time->bound.nodes) nodes.push_back(row.name);
+    if (!check_image_nodes(image, nodes, *run.graph, run.diagnostics)) continue;
+    if (!options.json_output) {
+      say("\n{}\n{}", image, time_text(*time));
+      continue;
+    }
+    Json json = time_json(*time, false);
+    json["image"] = image;
+    all.push_back(std::move(json));
+  }
+  return all;
+}
 
 /// Time, memory and traffic in the plan of a graph.
 int graph_info(InfoOptions options) {
@@ -233,12 +255,16 @@ int graph_info(InfoOptions options) {
   if (!made) return finish(run, options);
   const PlanInfo report = info_of(*run.plan, run.spec->budget, run.diagnostics);
   allow_warnings(run.spec->allow, false, run.diagnostics);
-  if (options.json_output)
-    say("{}\n", dump_json(info_json(report)));
-  else
-    say("{}{}{}{}{}{}{}", plan_text(report), vectorized_text(*run.plan), task_text(*run.graph),
-        timing_text(report), parts_text(*run.plan, run.spec->budget), telemetry_text(*run.plan),
-        profile_text(*run.spec));
+  if (options.json_output) {
+    Json json = info_json(report);
+    if (!options.images.empty()) json["images"] = image_times(run, options);
+    say("{}\n", dump_json(json));
+    return finish(run, options);
+  }
+  say("{}{}{}{}{}{}{}", plan_text(report), vectorized_text(*run.plan), task_text(*run.graph),
+      timing_text(report), parts_text(*run.plan, run.spec->budget), telemetry_text(*run.plan),
+      profile_text(*run.spec));
+  image_times(run, options);
   return finish(run, options);
 }
 
@@ -250,8 +276,9 @@ std::string help_with_entity(std::string_view word, const std::vector<std::strin
 
 int perform(const InfoOptions& options) {
   if (is_graph_file(options.entity)) return graph_info(options);
-  if (options.flat) {
-    complain("error: `--flat` is for graphs\nhelp: give a file GRAPH.yaml\n");
+  if (options.flat || !options.images.empty()) {
+    complain("error: `{}` is for graphs\nhelp: give a file GRAPH.yaml\n",
+             options.flat ? "--flat" : "--image");
     return kWrongUsage;
   }
   Run run;
@@ -299,6 +326,8 @@ Command table(InfoOptions& options) {
                        {"rates, buffers and ages of a graph", "eagerx-gen info pendulum.yaml"},
                        {"messages on the links of a split graph",
                         "eagerx-gen info robot.yaml --split controller=stm32f405"},
+                       {"the bounds of an image's slots against the graph's rates",
+                        "eagerx-gen info pendulum.yaml --image build/pendulum.elf"},
                        {"the graph after its composites, arrays and variants are expanded",
                         "eagerx-gen info robot.yaml --variant real --flat"}},
           .arguments = joined(
@@ -307,6 +336,11 @@ Command table(InfoOptions& options) {
                 variant(options), engine(options), split(options)},
                rates(options),
                {library(options),
+                experimental(
+                    reads(texts("--image", options.images,
+                                "also list upper bounds from an image of the graph, as for size "
+                                "--worst; may be repeated",
+                                "IMAGE.elf"))),
                 flag("--flat", options.flat,
                      "print the graph with composites, arrays and variants expanded, and the "
                      "origin of each line"),

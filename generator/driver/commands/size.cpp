@@ -84,22 +84,16 @@ std::optional<Json> read_baseline(Run& run, const SizeOptions& options) {
   return json;
 }
 
-/// The bound of `--worst`, and of a budget for the time of slots.
-struct Worst {
-  std::optional<BoundReport> bound;
-  std::optional<Fit> fit;  // of an image with its graph
-};
-
-void print_report(const SizeReport& report, const std::optional<PlanInfo>& plan, const Worst& worst,
-                  bool as_json) {
+/// `worst`: of `--worst`, or of a budget for the time of slots.
+void print_report(const SizeReport& report, const std::optional<PlanInfo>& plan,
+                  const std::optional<ImageTime>& worst, bool as_json) {
   if (!as_json) {
-    say("{}{}{}{}", size_text(report), worst.bound ? bound_text(*worst.bound) : "",
-        worst.fit ? fit_text(*worst.fit) : "", plan ? timing_text(*plan) : "");
+    say("{}{}{}", size_text(report), worst ? time_text(*worst) : "",
+        plan ? timing_text(*plan) : "");
     return;
   }
   Json json = size_json(report);
-  if (worst.bound) json["worst"] = bound_json(*worst.bound);
-  if (worst.fit) json["worst"]["fit"] = fit_json(*worst.fit);
+  if (worst) json["worst"] = time_json(*worst, true);
   if (plan) {
     Json timing = info_json(*plan);
     json["ages"] = std::move(timing["ages"]);
@@ -145,7 +139,7 @@ int perform_library(SizeOptions options) {
       program ? measure_image(program->image, program->build, run.diagnostics) : std::nullopt;
   if (!report) return std::max(finish(run, options), code);
   leave_out_board(*report);
-  if (!options.quiet) print_report(*report, std::nullopt, {}, options.json_output);
+  if (!options.quiet) print_report(*report, std::nullopt, std::nullopt, options.json_output);
   check_library_budget(run, options, {*report, baseline, "the library", std::nullopt});
   return std::max(finish(run, options), code);
 }
@@ -154,13 +148,6 @@ int perform_library(SizeOptions options) {
 bool wants_bound(const Run& run, const SizeOptions& options) {
   const bool has_budget = run.plan && options.of.empty() && run.spec->budget;
   return options.worst || (has_budget && limits_time(*run.spec->budget));
-}
-
-Worst worst_of(Run& run, const SizeOptions& options) {
-  const auto machine = machine_of_image(run, options, options.image);
-  Worst worst{bound_of_image(run, options.image, machine ? &*machine : nullptr), std::nullopt};
-  if (worst.bound && run.plan && options.of.empty()) worst.fit = fit_of(*worst.bound, *run.plan);
-  return worst;
 }
 
 /// `size IMAGE.elf`.
@@ -186,10 +173,10 @@ int perform_image(const SizeOptions& options) {
       run.diagnostics.io_error(
           "E0911", {}, fmt::format("cannot run `{}` on `{}`", options.image, options.run_on));
   }
-  Worst worst;
+  std::optional<ImageTime> worst;
   if (wants_bound(run, options)) {
-    worst = worst_of(run, options);
-    if (!worst.bound) return finish(run, options);
+    worst = time_of_image(run, options, options.image, options.of.empty(), run.diagnostics);
+    if (!worst) return finish(run, options);
   }
   if (!options.quiet) print_report(*report, plan, worst, options.json_output);
   const MeasuredImage image{*report, baseline, "the image", std::nullopt};
@@ -198,8 +185,8 @@ int perform_image(const SizeOptions& options) {
   } else if (plan && run.spec->budget) {
     check_image_budget(image, *run.spec->budget, run.diagnostics);
     check_plan_budget(*plan, *run.spec->budget, run.diagnostics);
-    if (worst.bound)
-      check_time_budget(*worst.bound, worst.fit, *run.plan, *run.spec->budget, run.diagnostics);
+    if (worst)
+      check_time_budget(worst->bound, worst->fit, *run.plan, *run.spec->budget, run.diagnostics);
   }
   return finish(run, options);
 }
@@ -257,7 +244,8 @@ Command table(SizeOptions& options) {
                 "--worst", options.worst,
                 "also compute upper bounds from the image: instructions of each step, slot and "
                 "node (Cortex-M), cycles (Cortex-M3, M4), and with --graph whether slots fit into "
-                "their time")),
+                "their time. A loop without a bound is error E0427: limit it with "
+                "eagerx::bounded<N>()")),
             text("--run", options.run_on,
                  "also run the image in this target's emulator, and count instructions", "TARGET"),
             reads(text(

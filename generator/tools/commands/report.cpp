@@ -42,8 +42,13 @@ std::vector<PageImage> read_images(Run& run, const ReportOptions& options) {
   std::vector<PageImage> images;
   for (const std::string& image : options.images) {
     if (auto size = measure_image(image, build_folder_of(image, options.build), run.diagnostics)) {
-      images.push_back({image, std::move(*size), time_json(run, options, image)});
-      check_image(images.back(), *run.graph, run.diagnostics);
+      std::vector<std::string> nodes;
+      for (const auto& [name, usage] : size->nodes) nodes.push_back(name);
+      check_image_nodes(image, nodes, *run.graph, run.diagnostics);
+      Diagnostics unbound;  // the page lists what has no bound
+      const auto time = time_of_image(run, options, image, true, unbound);
+      images.push_back(
+          {image, std::move(*size), time ? std::optional(time_json(*time, false)) : std::nullopt});
     }
   }
   return images;

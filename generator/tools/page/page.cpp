@@ -1,10 +1,7 @@
 #include "generator/tools/page/page.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "generator/support/diagnostics/search.hpp"
 #include "generator/support/json/base64.hpp"
 
 namespace eagerx::gen {
@@ -93,19 +90,6 @@ Json page_json(const PageContents& contents) {
   if (contents.is_live) page["live"] = true;
   if (contents.module) page["module"] = base64(*contents.module);
   return page;
-}
-
-bool check_image(const PageImage& image, const Graph& graph, Diagnostics& diagnostics) {
-  for (const auto& [name, usage] : image.size.nodes) {
-    if (ranges::contains(graph.nodes, name, &GraphNode::name)) continue;
-    diagnostics
-        .error("E0361", {},
-               fmt::format("`{}` is an image of another graph: `{}` has no node `{}`", image.name,
-                           graph.file_name, name))
-        .help = "give an image that was built from this graph and for the same engine";
-    return false;
-  }
-  return true;
 }
 
 }  // namespace eagerx::gen

@@ -69,8 +69,6 @@ std::optional<std::string> load_module(const std::string& path, Diagnostics& dia
 /// Problems: E0361 it is not, E0362 a file cannot be read.
 Json read_logs(const std::vector<std::string>& paths, const Plan& plan, std::size_t points,
                Diagnostics& diagnostics);
-/// Whether an image is one of this graph: every node in it is one of the graph's. Problems: E0361.
-bool check_image(const PageImage& image, const Graph& graph, Diagnostics& diagnostics);
 
 // The parts of page_json().
 Json drawings_json(const Graph& graph, const std::vector<CompositeSpec>& composites);

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <eagerx/bounded.hpp>
 #include <eagerx/math.hpp>
 #include <models/engines/multibody_engine/state.hpp>
 
@@ -57,13 +59,21 @@ inline void follow_joint(const Link& link, const Real& q, const Real& v, Placed<
 template <class Model, class Real = typename Model::Real>
 Placed<Real> placed(const Motion<Model>& motion, std::size_t body) {
   constexpr auto& kLinks = kTree<Model>.links;
-  std::array<std::size_t, kLinks.size() + 1> path{};
-  std::size_t length = 0;
-  for (std::size_t l = kTree<Model>.link_of_body[body]; l != kNone; l = kLinks[l].parent)
-    path[length++] = l;
+  constexpr std::size_t kMost = kLinks.size() + 1;
+  std::array<std::size_t, kMost> path{};
+  std::uint32_t length = 0;
+  std::size_t l = kTree<Model>.link_of_body[body];
+  for (const std::uint32_t i : bounded<kMost>()) {
+    if (l == kNone) break;
+    path[i] = l;
+    length = i + 1;
+    l = kLinks[l].parent;
+  }
   Placed<Real> at{motion.position, motion.rotation, motion.velocity, motion.spin};
-  while (length > 0) {
-    const std::size_t l = path[--length];
+  // All places: the compiler knows that `length` is at most their number, and leaves a limit out.
+  for (std::size_t i = kMost; i-- > 0;) {
+    if (i >= length) continue;
+    l = path[i];
     follow_joint(kLinks[l], motion.q[l], motion.v[l], at);
   }
   const Vec<Real> arm = rotated(at.rotation, constant<Real>(kTree<Model>.place_of_body[body]));

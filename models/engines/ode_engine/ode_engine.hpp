@@ -90,9 +90,10 @@ class OdeEngine {
   template <class Method, class Simulator>
   static void advance_adaptively(Method& method, Simulator& simulator) {
     using Real = typename Simulator::Real;
-    constexpr Real kPeriod = static_cast<Real>(Io::Rate::period_s);
-    constexpr auto kSettings = adaptive_settings<Real>();
-    const auto outcome = integrate(method, simulator.state, kPeriod, simulator.step_s, kSettings);
+    // In read-only memory, where `eagerx-gen size --worst` finds the most tries.
+    static constexpr auto kSettings = adaptive_settings<Real>();
+    const auto outcome =
+        integrate(method, simulator.state, kPeriod<Real>, simulator.step_s, kSettings);
     simulator.add_fault_if(outcome != AdaptiveOutcome::done);
   }
 

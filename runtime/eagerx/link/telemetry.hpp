@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <eagerx/bounded.hpp>
 #include <eagerx/link/cobs.hpp>
 #include <eagerx/link/crc32c.hpp>
 #include <eagerx/link/frame.hpp>
@@ -180,7 +181,10 @@ class Telemetry {
   }
   /// Throws the records away that step() would send.
   void discard() {
-    while (sent_ != made_ && cell(sent_).closed) free_record();
+    for ([[maybe_unused]] const auto record : bounded<kCells>()) {
+      if (sent_ == made_ || !cell(sent_).closed) return;
+      free_record();
+    }
   }
   /// The same of a line that takes no more: they count as dropped.
   void drop_all() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <eagerx/bounded.hpp>
 #include <eagerx/link/telemetry.hpp>
 #include <targets/common/bare-metal/clock.hpp>
 #include <targets/common/bare-metal/console.hpp>
@@ -29,7 +30,8 @@ class TelemetryWork {
     constexpr std::uint64_t kMarginsPerSecond = 50'000;  // 20 us
     const std::uint64_t margin = clock_hz() / kMarginsPerSecond + 1;
     while (clock_ticks() + margin < deadline) {
-      if (!telemetry.step(uart_offer)) return;
+      note_wait();  // it works where it would wait otherwise
+      if (!telemetry.step(kOffer)) return;
     }
   }
   /// Where slots are only measured, all of their copies find room, and nothing is sent.
@@ -47,10 +49,14 @@ class TelemetryWork {
     const std::uint64_t end =
         clock_ticks() + 2 * kBytes * kBitsOfByte * clock_hz() / Layout::kBaud + clock_hz() / 10;
     while (clock_ticks() < end) {
-      if (!telemetry.step(uart_offer)) return;
+      if (!telemetry.step(kOffer)) return;
     }
     telemetry.drop_all();
   }
+
+ private:
+  // Its own type, not a pointer: a call that `eagerx-gen size --worst` can follow.
+  static constexpr auto kOffer = [](std::uint8_t byte) { return uart_offer(byte); };
 };
 
 template <class Graph>

@@ -5,6 +5,10 @@
   error: `--flat` is for graphs
   help: give a file GRAPH.yaml
   [2]
+  $ eagerx-gen info Pendulum --image pendulum.elf
+  error: `--image` is for graphs
+  help: give a file GRAPH.yaml
+  [2]
   $ eagerx-gen info Pendulum --json | grep -e '"id":' -e '"kind"' -e '"made_for"' -e '"unit"'
     "id": "Pendulum",
     "kind": "object",

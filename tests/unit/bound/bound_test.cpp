@@ -4,47 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/analysis/bound/path.hpp"
-#include "tests/unit/size/tools.hpp"
+#include "tests/unit/bound/disassembled.hpp"
 
 namespace eagerx::gen::bound {
 namespace {
-
-/// The bytes of an ELF header without segments and sections.
-std::string empty_elf() {
-  std::string head = Tools::elf(Tools::kArm);
-  head.resize(64, '\0');
-  return head;
-}
-
-/// A disassembly with functions f at 0 and g at 0x100.
-class Disassembled {
- public:
-  explicit Disassembled(const std::string& f, const std::string& g = "") {
-    tools_.file("image.elf", empty_elf());
-    tools_.says("objdump", "00000000 <f>:\n" + f + "\n00000100 <g>:\n" + g);
-    tools_.says("nm", std::string("00000001 T f\n") + (g.empty() ? "" : "00000101 T g\n"));
-    image_ = Image::read(tools_.image(), "arm-none-eabi-");
-  }
-
-  struct Result {
-    std::uint64_t most = 0;
-    std::set<Reason> why;
-    bool operator==(const Result&) const = default;
-  };
-  Result bound() {
-    if (!image_) return {0, {Reason::lost}};
-    Analysis analysis(*image_);
-    LongestPath path(Weight::all());
-    Result result{path.of(analysis.of(0)), {}};
-    for (const Obstacle& obstacle : path.obstacles()) result.why.insert(obstacle.reason);
-    return result;
-  }
-
- private:
-  Tools tools_;
-  std::optional<Image> image_;
-};
 
 using Result = Disassembled::Result;
 
@@ -109,6 +72,32 @@ TEST(Loops, CountDown) {
                      "   6:\tbcs.n\t2 <f+0x2>\n   8:\tbx\tlr\n")
                 .why,
             std::set{Reason::loop});
+}
+
+TEST(Loops, InLoopsWhoseBeginAndEndAreLeftByInnerOnes) {
+  // Rows of a triangle of scalar products: the inner loop's end r3 and the middle one's r4 make the
+  // next row's.
+  EXPECT_EQ(
+      bound_of(
+          "   0:\tmovs\tr1, #24\n   2:\tmovs\tr6, #0\n   4:\tmovs\tr5, #0\n   6:\tmovs\tr7, #4\n"
+          "   8:\tmov\tr4, r5\n   a:\tmov\tr3, r6\n   c:\tadds\tr3, #4\n   e:\tcmp\tr3, r1\n"
+          "  10:\tbne.n\tc <f+0xc>\n  12:\tadds\tr4, #4\n  14:\tcmp\tr4, r7\n  16:\tbne.n\ta "
+          "<f+0xa>\n"
+          "  18:\tadd.w\tr7, r4, #28\n  1c:\tadds\tr6, #28\n  1e:\tadd.w\tr1, r3, #28\n"
+          "  22:\tadds\tr5, #24\n  24:\tcmp\tr7, #172\n  26:\tbne.n\t8 <f+0x8>\n  28:\tbx\tlr\n"),
+      only(4 + 6 * (1 + 6 * (1 + 6 * 3 + 3) + 6) + 1));
+}
+
+TEST(Loops, BeginAtWhatMemcpyReturns) {
+  const std::string f =
+      "   0:\tpush\t{r4, lr}\n   2:\tadd.w\tr4, r0, #12\n   6:\tbl\t100 <memcpy>\n"
+      "   a:\tldr.w\tr3, [r0], #4\n   e:\tcmp\tr0, r4\n  10:\tbne.n\ta <f+0xa>\n  12:\tpop\t{r4, "
+      "pc}\n";
+  const auto with = [&](const char* name) {
+    return Disassembled(f, " 100:\tbx\tlr\n", name).bound();
+  };
+  EXPECT_EQ(with("memcpy"), only(3 + 1 + 3 * 3 + 1));
+  EXPECT_EQ(with("other").why, std::set{Reason::loop});
 }
 
 TEST(Loops, CountersWrap) {

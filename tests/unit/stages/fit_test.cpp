@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "generator/analysis/fit/steps.hpp"
 #include "tests/unit/graph_of_text.hpp"
 
 namespace eagerx::gen {
@@ -71,6 +72,62 @@ TEST(Fit, NeedsTimesAndAllBounds) {
   BoundReport unbound = report();
   unbound.slots[0].is_bound = false;
   EXPECT_FALSE(fit_of(unbound, *graph->plan));
+}
+
+/// The servo with five steps in a hyperperiod of ten slots.
+std::unique_ptr<GraphOfText> with_five_steps() {
+  std::ifstream file(EAGERX_SOURCE_DIR "/tests/budget/cascade.yaml");
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  text.replace(text.find("rate: 100\n"), 9, "rate: 500");
+  return graph_of_text(text);
+}
+
+SlotBound slot(std::uint64_t due, std::uint64_t before, std::uint64_t after) {
+  return {row("", before + after), due, {before, before}, {after, after}};
+}
+
+BoundReport of_five_steps() {
+  BoundReport bounds = report();
+  bounds.slots = {slot(1, 100, 20), slot(3, 300, 40), slot(7, 1000, 50)};
+  return bounds;
+}
+
+TEST(Steps, HaveTheSlotsThatAreDueInEach) {
+  const auto graph = with_five_steps();
+  ASSERT_EQ(graph->plan->schedule.form, ScheduleForm::kinds);
+  const auto steps = step_bounds(of_five_steps(), *graph->plan);
+  ASSERT_TRUE(steps);
+  EXPECT_EQ(steps->steps, 5U);
+  // With the schedule, 10: after the observation at 7, slot 1, before that at 3; and so on.
+  const std::uint64_t first = 10 + 50 + 120 + 300, usual = 10 + 40 + 120 + 300;
+  const std::uint64_t last = 10 + 40 + 120 + 1000;
+  EXPECT_EQ(steps->longest.most, last);
+  EXPECT_EQ(steps->longest.cycles, last);
+  EXPECT_EQ(steps->hyperperiod.most, first + 3 * usual + last);
+}
+
+TEST(Steps, AreNeverLongerThanTheBoundOfAnyStep) {
+  const auto graph = with_five_steps();
+  BoundReport bounds = of_five_steps();
+  bounds.parts[0].most = 1100;
+  EXPECT_EQ(step_bounds(bounds, *graph->plan)->longest.most, 1100U);
+  bounds.parts[0].is_bound = false;
+  EXPECT_EQ(step_bounds(bounds, *graph->plan)->longest.most, 1170U);
+}
+
+TEST(Steps, NeedTheBoundsOfAllKindsOfSlots) {
+  const auto graph = with_five_steps();
+  BoundReport none = of_five_steps();
+  none.slots.pop_back();
+  EXPECT_FALSE(step_bounds(none, *graph->plan));
+  BoundReport unbound = of_five_steps();
+  unbound.slots[1].is_bound = false;
+  EXPECT_FALSE(step_bounds(unbound, *graph->plan));
+  BoundReport shared = of_five_steps();
+  shared.slots_share_code = true;
+  EXPECT_FALSE(step_bounds(shared, *graph->plan));
+  // Where each step is a hyperperiod, the bound of a step has just its slots.
+  EXPECT_FALSE(step_bounds(of_five_steps(), *cascade()->plan));
 }
 
 std::vector<Diagnostic> problems(const std::string& budget, const BoundReport& bounds) {
