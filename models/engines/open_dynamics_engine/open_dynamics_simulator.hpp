@@ -12,6 +12,7 @@
 #include <models/engines/open_dynamics_engine/rigid_world.hpp>
 #include <models/engines/open_dynamics_engine/scene.hpp>
 #include <models/engines/open_dynamics_engine/servo_constraint.hpp>
+#include <models/engines/open_dynamics_engine/spring_constraint.hpp>
 
 namespace eagerx::models {
 
@@ -55,8 +56,10 @@ class OpenDynamicsSimulator {
   void build(dWorldID world, dSpaceID space) {
     world_ = world;
     for (std::size_t b = 0; b < kBodies; ++b) body_[b] = dBodyCreate(world);
-    for (std::size_t j = 0; j < kJoints; ++j)
+    for (std::size_t j = 0; j < kJoints; ++j) {
       joint_[j] = create_joint(world, Model::kJoints[j], body_[kChild[j]], parent_body(j));
+      spring_[j].create(world, Model::kJoints[j], body_[kChild[j]], parent_body(j));
+    }
     for (std::size_t g = 0; g < kGeometries; ++g) create_shape(g, space);
     shapes_.begin = shape_.data();
     shapes_.count = kGeometries;
@@ -260,7 +263,7 @@ class OpenDynamicsSimulator {
     for (std::size_t j = 0; j < kJoints; ++j) {
       if (HingeStops::are_switched(Model::kJoints[j]))
         HingeStops::update(joint_[j], Model::kJoints[j], joint_position(j));
-      pull_spring(j);
+      spring_[j].pull(Model::kJoints[j], joint_position(j), step_s_);
       if (hold_by_constraint(j)) continue;
       const double applied = actuator_torque(j);
       const double torque = applied - damping_torque(j, applied);
@@ -335,8 +338,10 @@ class OpenDynamicsSimulator {
   void configure() {
     if constexpr (requires { Model::configure(*this); }) Model::configure(*this);
     for (std::size_t b = 0; b < kBodies; ++b) place_body(body_[b], reference_state(b));
-    for (std::size_t j = 0; j < kJoints; ++j)
+    for (std::size_t j = 0; j < kJoints; ++j) {
       anchor_joint(joint_[j], Model::kJoints[j], origin() + anchor_[j]);
+      spring_[j].anchor(Model::kJoints[j]);
+    }
     reconfigured_ = false;
   }
 
@@ -349,7 +354,7 @@ class OpenDynamicsSimulator {
   /// As a motor that holds 0, which never turns the joint around, with the torque of the velocity
   /// at the end of the step. A joint has one motor, so next to another it is a torque.
   double damping_torque(std::size_t j, double applied) {
-    const RigidJoint& of = Model::kJoints[j];
+    const RigidJoint of = SpringConstraint::without(Model::kJoints[j]);
     if (!(of.damping > 0.0)) return 0.0;
     const double inertia = joint_inertia(j);
     // A torque of the step's beginning must not turn the joint around.
@@ -360,13 +365,8 @@ class OpenDynamicsSimulator {
     return 0.0;
   }
 
-  void pull_spring(std::size_t j) {
-    const RigidJoint& of = Model::kJoints[j];
-    if (of.stiffness > 0.0) apply_torque(j, of.stiffness * (of.rest - joint_position(j)));
-  }
-
   bool hold_by_constraint(std::size_t j) {
-    const RigidJoint& of = Model::kJoints[j];
+    const RigidJoint of = SpringConstraint::without(Model::kJoints[j]);
     if (degrees_of_freedom(of.kind) != 1) return false;
     return constraint_[j].hold(
         joint_[j], of, has_motor_[j] ? JointServo{} : scaled(servo_[j], factors_[j]),
@@ -423,6 +423,7 @@ class OpenDynamicsSimulator {
   std::array<ActuatorFactors, kJoints> factors_{};
   std::array<bool, kJoints> has_motor_{};
   std::array<ServoConstraint, kJoints> constraint_{};
+  std::array<SpringConstraint, kJoints> spring_{};
   std::array<TurnCounter, kJoints> turns_{};
   std::array<Vector3, kBodies> velocity_before_{};  // at the engine's last tick
   double per_period_ = 0.0, step_s_ = 0.0;
