@@ -37,8 +37,8 @@ class OpenDynamicsSimulator {
   static_assert(!scene::has_mimics<Model>(),
                 "OpenDynamicsEngine: no joint mimics another one; MultibodyEngine can do it");
   static_assert(
-      !requires { Model::kHeights; },
-      "OpenDynamicsEngine: a plane has no heights on it; MultibodyEngine can do it");
+      scene::has_level_plane_for_heights<Model>(),
+      "OpenDynamicsEngine: heights of the ground need a plane that they are above, a level one");
 
   static constexpr std::size_t inputs() {
     if constexpr (requires { Model::kInputs; }) return Model::kInputs;
@@ -84,6 +84,7 @@ class OpenDynamicsSimulator {
       shape_[g].friction = Model::kGeometries[g].friction;
       shape_[g].bounce = Model::kGeometries[g].bounce;
     }
+    heights_.roughness = 1.0;
     if constexpr (parameter_count() > 0) {
       const auto defaults = Model::default_parameters();
       for (std::size_t i = 0; i < parameter_count(); ++i)
@@ -123,6 +124,10 @@ class OpenDynamicsSimulator {
   }
   void set_friction(std::size_t geometry, double friction) {
     shape_[geometry].friction = eagerx::max(finite_or_zero(friction), 0.0);
+  }
+  /// Factor of the heights of the ground.
+  void set_roughness(double factor) {
+    if (is_factor(factor)) heights_.roughness = factor;
   }
   void set_gravity(const Vector3& gravity) {  // of the whole world
     dWorldSetGravity(world_, finite_or_zero(gravity[0]), finite_or_zero(gravity[1]),
@@ -349,6 +354,11 @@ class OpenDynamicsSimulator {
     const std::size_t body = scene::find(Model::kBodies, Model::kGeometries[g].body);
     shape_[g].body = body < kBodies ? body_[body] : nullptr;
     shape_[g].geom = create_geometry(space, Model::kGeometries[g], shape_[g].body, origin());
+    if constexpr (requires { Model::kHeights; }) {
+      if (g != scene::find_plane<Model>()) return;
+      heights_ = RigidHeights::of<Model>(origin(), Model::kGeometries[g]);
+      shape_[g].heights = &heights_;
+    }
   }
 
   /// As a motor that holds 0, which never turns the joint around, with the torque of the velocity
@@ -415,6 +425,7 @@ class OpenDynamicsSimulator {
   std::array<dJointID, kJoints> joint_{};
   std::array<RigidShape, kGeometries> shape_{};
   RigidShapes shapes_{};
+  RigidHeights heights_{};
   std::array<Vector3, kBodies> reference_{};  // centres of mass in the reference pose
   std::array<Vector3, kJoints> anchor_{};
   std::array<Vector3, kBodies> force_{};
