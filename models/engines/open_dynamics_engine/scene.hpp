@@ -80,6 +80,14 @@ struct RigidGeometry {
   Quaternion rotation{{1.0, 0.0, 0.0, 0.0}};  // from the axes of body or frame; not of planes
 };
 
+/// A flat piece of a body as it looks: drawn instead of its geometries, and touched by nothing.
+struct RigidFacet {
+  const char* body = "";  // empty: the world
+  // From the body's center of mass or in the object's frame [m], counterclockwise from outside; a
+  // triangle repeats its last.
+  std::array<std::array<float, 3>, 4> corners{};
+};
+
 /// Heights of the ground above a level plane [m]: bilinear between the points of a grid,
 /// height[i][k] at corner + (i·spacing, k·spacing) of the object's frame; around the grid as at its
 /// edge.
@@ -238,6 +246,7 @@ constexpr bool is_child(std::size_t body) {
 ///   static constexpr std::array<std::array<const char*, 2>, …> kPairs;  // spheres and capsules
 ///   that
 ///                                               // touch each other, on MultibodyEngine
+///   static constexpr std::array<RigidFacet, …> kFacets;  // how bodies look
 ///   static constexpr HeightField<…> kHeights;   // what the first plane has on it
 ///   static constexpr std::size_t kInputs;       // numbers that ModelInput sets
 ///   static constexpr std::size_t kParameters;   // numbers that ModelParameters sets, with
