@@ -32,8 +32,8 @@ enum class Shape : std::uint8_t {
   capsule,    // pose, radius, length without its ends, along z
   cylinder,   // pose, radius, length, along z
   segment,    // x0, y0, z0, x1, y1, z1: a line in space
-  facet,      // four corners x, y, z of a flat piece of a surface, counterclockwise from outside; a
-              // triangle repeats its last one
+  facet,      // four corners x, y, z of a flat piece of a surface, with the same light on both
+              // sides; a triangle repeats its last one
 };
 inline constexpr int kOnScreen = 32;
 inline constexpr std::size_t kSceneColumns = 16;

@@ -250,8 +250,9 @@ function paintInSpace(context, camera, row, height) {
     return paintRound(context, camera, row, minus(at, half), plus(at, half), n[7]);
   }
   if (shape === "facet") {
-    const corners = facetCorners(n), [a, b, c] = corners;
-    return paintFace(context, camera, corners, paintOf(row, lightOn(unit(cross(minus(b, a), minus(c, a))))));
+    const corners = facetCorners(n), [a, b, c] = corners, normal = unit(cross(minus(b, a), minus(c, a)));
+    const seen = dot(normal, minus(camera.eye, a)) < 0 ? times(-1, normal) : normal;
+    return paintFace(context, camera, corners, paintOf(row, lightOn(seen)));
   }
   const end = [n[3], n[4], n[5]], [pa, pb] = [camera.see(at), camera.see(end)];
   if (!pa || !pb) return;

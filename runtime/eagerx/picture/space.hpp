@@ -312,11 +312,13 @@ class SpacePainter {
       paint_face(rim, kSides, lit(row.ink.colour, row.ink.opacity, light_on(-1.0F * axis)));
   }
 
-  /// Those that look away are painted, too: they are behind the seams of the others.
+  /// In the light of the side that is seen. Those that look away from the eye are behind the seams
+  /// of the others, and where the order of middles is wrong, before them.
   void paint_facet(const SceneRow& row) {
     Point3 p[4];
     for (int i = 0; i < 4; ++i) p[i] = facet_corner(row, i);
-    const Point3 normal = unit(cross(p[1] - p[0], p[2] - p[0]));
+    Point3 normal = unit(cross(p[1] - p[0], p[2] - p[0]));
+    if (dot(normal, camera_.eye() - p[0]) < 0.0F) normal = -1.0F * normal;
     paint_face(p, 4, lit(row.ink.colour, row.ink.opacity, light_on(normal)));
   }
 

@@ -236,6 +236,19 @@ TEST(Picture, FacetsAreFlatPiecesInSpace) {
       << "partly behind the camera";
 }
 
+TEST(Picture, FacetsAreLitOnTheSideThatIsSeen) {
+  const auto light = [](const Point3(&corners)[4]) {
+    Drawing message{};
+    SceneWriter scene(message);
+    scene.camera({0.0F, -1.0F, 3.0F}, {}, 0.8F, 0x000000);
+    scene.facet(corners, 0x808080);
+    return grey(message)[32 * 64 + 32];
+  };
+  const int above = light({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
+  EXPECT_EQ(light({{-1, 1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, -1, 0}}), above);
+  EXPECT_LT(light({{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}), above) << "upright";
+}
+
 /// One of everything.
 Drawing everything() {
   Drawing message{};
