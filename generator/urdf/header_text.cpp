@@ -112,6 +112,17 @@ std::string item(const Shape& shape) {
   return result.text();
 }
 
+/// To 0.1 mm.
+std::string item(const Facet& facet) {
+  const auto point = [](const Vector3& p) {
+    const auto rounded = [](double x) { return literal(std::round(1e4 * x) / 1e4); };
+    return fmt::format("{{{{{}, {}, {}}}}}", rounded(p[0]), rounded(p[1]), rounded(p[2]));
+  };
+  return fmt::format("      {{{}, {{{{{}, {}, {}, {}}}}}}}", gen::cpp_string(facet.body),
+                     point(facet.corners[0]), point(facet.corners[1]), point(facet.corners[2]),
+                     point(facet.corners[2]));
+}
+
 /// The plane z = 0 of the world, wherever the robot is.
 constexpr const char* kGround =
     "      {.name = \"ground_plane\", .kind = ShapeKind::plane, .position = -1.0 * kOrigin}";
@@ -165,6 +176,7 @@ struct {2} {{
   text += list("RigidBody", "kBodies", robot.bodies);
   text += list("RigidJoint", "kJoints", robot.joints);
   text += list("RigidGeometry", "kGeometries", robot.shapes, robot.ground ? kGround : "");
+  if (!robot.facets.empty()) text += list("RigidFacet", "kFacets", robot.facets);
   if (!robot.pairs.empty()) text += pairs(robot);
   return text + "};\n\n}  // namespace eagerx::models\n";
 }

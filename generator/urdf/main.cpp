@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <string_view>
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 using eagerx::urdf::Base;
 
 struct Options {
-  std::string file, output, distance;
+  std::string file, output, distance, facets;
   eagerx::urdf::RobotOptions robot;
   eagerx::urdf::MeshOptions meshes;
   bool json = false, quiet = false;
@@ -133,6 +134,18 @@ eagerx::gen::CommandLine command_line(Options& options) {
     options.meshes.distance = *value;
     return std::string();
   };
+  eagerx::gen::Argument facets =
+      text("--facets", options.facets,
+           "triangles that draw the visual meshes, up to 900 (default: 400; 0 draws the collision "
+           "shapes)",
+           "COUNT");
+  facets.check = [&options](const std::string& written) {
+    const auto value = eagerx::gen::parse_number(written);
+    if (!value || !(*value >= 0.0) || *value > 900.0 || *value != std::floor(*value))
+      return written + " is not a whole number from 0 to 900";
+    options.meshes.facets = static_cast<std::size_t>(*value);
+    return std::string();
+  };
   const auto set_base = [&options](const std::string& word) {
     options.robot.base = word == "fixed" ? Base::fixed : Base::free;
   };
@@ -162,7 +175,7 @@ eagerx::gen::CommandLine command_line(Options& options) {
                           "collision shapes of meshes: none, boxes, or up to 16 spheres (default: "
                           "the smallest of box, sphere, cylinder and capsule)",
                           set_shapes),
-                   std::move(distance),
+                   std::move(distance), std::move(facets),
                    texts("--package", options.meshes.packages,
                          "folder to search for `package://`, in addition to the folders above the "
                          "file; may be repeated",

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kAnything = 999.0;  // bounds of what nothing is said about
 constexpr double kHalfTurn = 3.14;
-constexpr int kRate = 50;  // Hz, where the graph does not say another
+constexpr std::size_t kMostRows = 1024;  // of RigidDrawing
+constexpr int kRate = 50;                // Hz, where the graph does not say another
 
 /// A list of numbers as YAML has it.
 template <class F>
@@ -59,6 +60,7 @@ class Manifest {
     for (const Shape& shape : robot_.shapes) {
       if (!shape.body.empty()) add_contact(shape.name);
     }
+    if (!robot_.facets.empty()) add_scene();
     if (robot_.ground)
       state("ground_friction", "{dtype: float32, shape: [], low: 0.2, high: 1.0}",
             "factor on the friction of everything that touches the ground",
@@ -290,6 +292,48 @@ description: |
     sensor(shape + "_contact", "{dtype: float32, shape: [3], low: -99999.0, high: 99999.0}",
            "force of all that touches it, in N", "ContactForceSensor");
     configured("geometry: " + gen::yaml_text(shape));
+  }
+
+  /// A drawing from the front, the right and above, so that all of the robot is in it.
+  void add_scene() {
+    const std::size_t rows = std::min<std::size_t>(2 + robot_.facets.size() + robot_.shapes.size() +
+                                                       robot_.joints.size() + robot_.bodies.size(),
+                                                   kMostRows);
+    const auto free = std::ranges::find_if(robot_.bodies, &Body::is_free);
+    Vector3 low{}, high{};
+    bool is_first = true;
+    for (const Facet& facet : robot_.facets) {
+      const auto body = std::ranges::find(robot_.bodies, facet.body, &Body::name);
+      for (const Vector3& corner : facet.corners) {
+        const Vector3 p = body != robot_.bodies.end() ? body->position + corner : corner;
+        for (std::size_t i = 0; i < 3; ++i) {
+          low[i] = is_first ? p[i] : std::min(low[i], p[i]);
+          high[i] = is_first ? p[i] : std::max(high[i], p[i]);
+        }
+        is_first = false;
+      }
+    }
+    Vector3 target = 0.5 * (low + high);
+    const Vector3 across = high - low;
+    const double distance = 1.6 * std::sqrt(dot(across, across));
+    std::string follow;
+    if (free != robot_.bodies.end()) {
+      follow = fmt::format(", follow: {}", gen::yaml_text(free->name));
+      target = {{target[0] - free->position[0], target[1] - free->position[1], target[2]}};
+    }
+    const auto rounded = [](Vector3 v) {
+      for (std::size_t i = 0; i < 3; ++i) v[i] = std::round(1e3 * v[i]) / 1e3;
+      return vector_text(v);
+    };
+    sensors_ += fmt::format(
+        "  scene: {{rate: {}, space: {{dtype: float32, shape: [{}, 16]}}, about: \"drawing of the "
+        "robot\"}}\n",
+        kRate, rows);
+    nodes_ += fmt::format(
+        "      scene: {{type: RigidDrawing, rate: $(sensors scene rate), config: {{rows: {}, eye: "
+        "{}, target: {}{}}}}}\n",
+        rows, rounded(target + distance * Vector3{{0.6, -0.7, 0.4}}), rounded(target), follow);
+    connections_ += "      - {from: scene.scene, to: sensors.scene}\n";
   }
 
   std::string engines() const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 
 #include "generator/support/diagnostics/join.hpp"
@@ -55,6 +56,34 @@ class Resolver {
     if (find(visual.file).empty() && missing_visuals_++ == 0) missing_visual_ = visual;
   }
 
+  /// The larger a visual mesh is, the more triangles draw it. The smallest are left out if there is
+  /// no room for them.
+  void draw(std::vector<Link>& links) {
+    std::vector<Drawn> all;
+    for (Link& link : links) {
+      for (const Visual& visual : link.visuals) {
+        const std::string& path = options_.facets > 0 ? find(visual.mesh.file) : kNoPath;
+        if (path.empty() || !load(path).problem.empty()) continue;
+        Triangles triangles = scaled(load(path).triangles, visual.mesh.scale);
+        for (Vector3& p : triangles) p = visual.origin.position + rotate(visual.origin.rotation, p);
+        const double surface = surface_of(triangles);
+        all.push_back({&link, std::move(triangles), surface});
+      }
+    }
+    std::ranges::stable_sort(all, std::greater<>(), &Drawn::surface);
+    double surface = 0.0;
+    for (const Drawn& one : all) surface += one.surface;
+    std::size_t room = std::max(options_.facets, kFewest);
+    for (const Drawn& one : all) {
+      const double share = surface > 0.0 ? one.surface / surface : 0.0;
+      const auto part = static_cast<std::size_t>(static_cast<double>(options_.facets) * share);
+      const Triangles few = decimated(one.triangles, std::max(part, kFewest));
+      if (few.empty() || few.size() / 3 > room) continue;
+      room -= few.size() / 3;
+      one.link->look.insert(one.link->look.end(), few.begin(), few.end());
+    }
+  }
+
   void report(const Description& description) {
     if (missing_visuals_ > 0)
       diagnostics_.note(
@@ -75,6 +104,21 @@ class Resolver {
   }
 
  private:
+  static constexpr std::size_t kFewest = 12;  // triangles of a mesh
+  inline static const std::string kNoPath;
+  struct Drawn {
+    Link* link;
+    Triangles triangles;
+    double surface;  // [m²]
+  };
+
+  static Triangles scaled(Triangles triangles, const Vector3& scale) {
+    for (Vector3& p : triangles) {
+      for (std::size_t i = 0; i < 3; ++i) p[i] *= scale[i];
+    }
+    return triangles;
+  }
+
   const std::string& find(const std::string& name) {
     const auto [at, is_new] = found_.try_emplace(name);
     if (is_new) at->second = find_mesh(name, folder_, options_.packages);
@@ -93,10 +137,7 @@ class Resolver {
     }
     const LoadedMesh& loaded = load(path);
     if (!loaded.problem.empty()) return cannot_read(mesh, loaded.problem);
-    Triangles triangles = loaded.triangles;
-    for (Vector3& p : triangles) {
-      for (std::size_t i = 0; i < 3; ++i) p[i] *= mesh.scale[i];
-    }
+    const Triangles triangles = scaled(loaded.triangles, mesh.scale);
     const std::vector<Fitted> shapes = fitted(triangles);
     const double reach = reach_beyond(shapes, triangles);
     ++count_;
@@ -198,8 +239,9 @@ void resolve_meshes(Description& description, const std::string& folder, const M
     } else {
       resolver.resolve(link);
     }
-    for (const Mesh& visual : link.visuals) resolver.look_for(visual);
+    for (const Visual& visual : link.visuals) resolver.look_for(visual.mesh);
   }
+  resolver.draw(description.links);
   resolver.report(description);
 }
 

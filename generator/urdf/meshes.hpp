@@ -19,6 +19,11 @@ struct LoadedMesh {
   std::string problem;  // why there are none
 };
 LoadedMesh load_mesh(const std::string& path);
+/// Area of all triangles [m²].
+double surface_of(const Triangles& triangles);
+/// About the same surface with at most `most` triangles, or twelve of a box; counterclockwise from
+/// outside.
+Triangles decimated(const Triangles& triangles, std::size_t most);
 /// Whether assimp was there when this was built.
 bool reads_meshes();
 
@@ -43,6 +48,7 @@ enum class CollisionShapes : std::uint8_t { smallest, boxes, spheres, none };
 struct MeshOptions {
   CollisionShapes shapes = CollisionShapes::smallest;
   double distance = 0.01;                  // of spheres [m]
+  std::size_t facets = 400;                // triangles that draw visual meshes
   std::vector<std::string> packages = {};  // folders that `package://` is looked for in
 };
 
@@ -51,7 +57,7 @@ struct MeshOptions {
 std::string find_mesh(const std::string& name, const std::string& folder,
                       const std::vector<std::string>& packages);
 
-/// Replaces the meshes of collisions. Problems: E0858.
+/// Replaces the meshes of collisions, and draws those of visuals. Problems: E0858.
 void resolve_meshes(Description& description, const std::string& folder, const MeshOptions& options,
                     gen::Diagnostics& diagnostics);
 

@@ -82,7 +82,7 @@ Geom Geoms::read(const Element& element, const Frame& in, bool has_mass) {
     element
         .warning("E0851", element.span("type"),
                  "fields of heights are left out: the ground is a plane")
-        .help = "`kHeights` of an object's model has heights, on MultibodyEngine";
+        .help = "`kHeights` of an object's model has heights";
     return result;
   }
   if (!kind) {

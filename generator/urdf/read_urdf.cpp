@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
 #include <numbers>
 
+#include "generator/frontend/read/scalar.hpp"
 #include "generator/frontend/read/text.hpp"
 #include "generator/support/files/missing_file.hpp"
 #include "generator/urdf/mjcf.hpp"
@@ -94,9 +96,26 @@ class Reader {
     for (const pugi::xml_node collision : element.children("collision"))
       result.collisions.push_back(this->collision(collision));
     for (const pugi::xml_node visual : element.children("visual")) {
-      if (const pugi::xml_node file = visual.child("geometry").child("mesh"))
-        result.visuals.push_back(
-            {file.attribute("filename").value(), xml_.span(file, "filename"), {{1.0, 1.0, 1.0}}});
+      if (const pugi::xml_node file = visual.child("geometry").child("mesh")) {
+        const pugi::xml_node origin = visual.child("origin");
+        result.visuals.push_back({{file.attribute("filename").value(), xml_.span(file, "filename"),
+                                   seen(file, "scale", {{1.0, 1.0, 1.0}})},
+                                  {seen(origin, "xyz", {}), rotation_of(seen(origin, "rpy", {}))}});
+      }
+    }
+    return result;
+  }
+  /// Three numbers of what is only drawn: any problem leaves `otherwise`.
+  static Vector3 seen(pugi::xml_node element, const char* name, const Vector3& otherwise) {
+    std::string_view text = element.attribute(name).value();
+    Vector3 result{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+      const std::size_t size = std::min(text.find_first_of(" \t\r\n"), text.size());
+      const auto value = gen::parse_number(text.substr(0, size));
+      if (!value || !std::isfinite(*value)) return otherwise;
+      result[i] = *value;
+      text.remove_prefix(size);
     }
     return result;
   }

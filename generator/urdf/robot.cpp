@@ -271,6 +271,12 @@ class Maker {
         error("E0851", collision.place, "a plane is part of the world: it cannot move");
       bodies_of_shapes_.push_back(now.body);
     }
+    for (std::size_t t = 0; t + 2 < link.look.size(); t += 3) {
+      Facet facet{.body = body_name(now.body)};
+      for (std::size_t i = 0; i < 3; ++i)
+        facet.corners[i] = now.frame.position + rotate(now.frame.rotation, link.look[t + i]);
+      robot_.facets.push_back(std::move(facet));
+    }
   }
 
   /// The joint over the link, which may begin a body of its own.
@@ -368,6 +374,12 @@ class Maker {
       const std::size_t body = bodies_of_shapes_[g];
       if (body != kNone)
         robot_.shapes[g].position = robot_.shapes[g].position - robot_.bodies[body].position;
+    }
+    for (Facet& facet : robot_.facets) {
+      const auto body = std::ranges::find(robot_.bodies, facet.body, &Body::name);
+      for (Vector3& corner : facet.corners) {
+        if (body != robot_.bodies.end()) corner = corner - body->position;
+      }
     }
     check_finite(robot_, from_.place, diagnostics_);
   }

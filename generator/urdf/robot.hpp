@@ -54,6 +54,12 @@ struct Shape {
   double friction = 1.0;  // times that of the object
 };
 
+/// Fields as in RigidFacet.
+struct Facet {
+  std::string body;  // empty: the world
+  std::array<Vector3, 3> corners{};
+};
+
 /// All names are made of letters, digits and `_`.
 struct Robot {
   std::string file;
@@ -64,6 +70,7 @@ struct Robot {
   std::vector<Body> bodies;
   std::vector<BodyJoint> joints;  // parents first
   std::vector<Shape> shapes;
+  std::vector<Facet> facets;
   std::vector<std::array<std::string, 2>> pairs;  // of shapes that touch each other
   bool ground = false;
   bool has_world = false;  // the description says itself what is free

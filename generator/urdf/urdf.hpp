@@ -62,15 +62,22 @@ struct Collision {
   double friction = 1.0;     // times that of the object
 };
 
+/// How a link looks.
+struct Visual {
+  Mesh mesh;
+  Frame origin;  // in the link's frame
+};
+
 struct Link {
   std::string name;
   gen::Span place;
   std::optional<Inertial> inertial;
   gen::Span inertial_place;
   std::vector<Collision> collisions;
-  std::vector<Mesh> visuals;
-  bool is_made = false;  // between two axes of what the description has as one joint or body
-  double share = 1e-3;   // of the robot's mass, if it can move and has no mass
+  std::vector<Visual> visuals;
+  std::vector<Vector3> look;  // corners of triangles, in the link's frame; from draw_meshes()
+  bool is_made = false;       // between two axes of what the description has as one joint or body
+  double share = 1e-3;        // of the robot's mass, if it can move and has no mass
 };
 
 enum class JointType : std::uint8_t {

@@ -12,8 +12,9 @@
 namespace eagerx::picture {
 
 /// Paints scenes on images that are at most kMaxWidth pixels wide. Needs about 8 bytes a pixel of
-/// that and 24 an edge; an outline with more edges is painted in parts.
-template <std::size_t kMaxWidth, std::size_t kMaxEdges = 384>
+/// that, 24 an edge and 16 a shape in space; an outline with more edges is painted in parts, and
+/// more shapes in space are left out.
+template <std::size_t kMaxWidth, std::size_t kMaxEdges = 384, std::size_t kMostBodies = 128>
 class Painter {
  public:
   /// The whole image is painted. `rows`: of the scene, 16 numbers each. First what is in space,
@@ -31,8 +32,7 @@ class Painter {
 
  private:
   using BrushType = Brush<kMaxEdges, kMaxWidth>;
-  static constexpr std::size_t kMostBodies = 128;  // in space; others are left out
-  static constexpr float kPoints = 480.0F;         // of a picture's height
+  static constexpr float kPoints = 480.0F;  // of a picture's height
 
   static std::size_t rows_of(const float* scene, std::size_t rows) {
     std::size_t count = 0;

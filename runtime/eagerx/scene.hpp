@@ -32,6 +32,8 @@ enum class Shape : std::uint8_t {
   capsule,    // pose, radius, length without its ends, along z
   cylinder,   // pose, radius, length, along z
   segment,    // x0, y0, z0, x1, y1, z1: a line in space
+  facet,      // four corners x, y, z of a flat piece of a surface, with the same light on both
+              // sides; a triangle repeats its last one
 };
 inline constexpr int kOnScreen = 32;
 inline constexpr std::size_t kSceneColumns = 16;
@@ -155,6 +157,11 @@ class SceneWriter {
   constexpr void segment(Point3 a, Point3 b, Ink ink) {
     add(Shape::segment, ink, {a.x, a.y, a.z, b.x, b.y, b.z});
   }
+  constexpr void facet(const Point3 (&p)[4], std::uint32_t colour) {
+    add(Shape::facet, fill(colour),
+        {p[0].x, p[0].y, p[0].z, p[1].x, p[1].y, p[1].z, p[2].x, p[2].y, p[2].z, p[3].x, p[3].y,
+         p[3].z});
+  }
 
  private:
   static constexpr std::size_t kOwn = 12;  // columns of the shape itself
@@ -210,9 +217,9 @@ struct SceneRow {
   static constexpr SceneRow read(const float* row) {
     SceneRow result;
     result.n = row + 4;
-    const int kind = whole(row[0], kOnScreen + static_cast<int>(Shape::segment));
+    const int kind = whole(row[0], kOnScreen + static_cast<int>(Shape::facet));
     const int shape = kind & (kOnScreen - 1);
-    if (shape > static_cast<int>(Shape::segment)) return result;
+    if (shape > static_cast<int>(Shape::facet)) return result;
     result.shape = static_cast<Shape>(shape);
     result.on_screen = kind >= kOnScreen;
     result.ink.colour = static_cast<std::uint32_t>(whole(row[1], 0xffffff));

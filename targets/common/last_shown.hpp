@@ -1,6 +1,7 @@
 // The newest picture of `render:`, kept until a reader wants it as pixels.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <eagerx/picture/coverage.hpp>
 #include <eagerx/rate.hpp>
@@ -17,6 +18,8 @@ inline constexpr bool has_render = requires {
 
 /// Pixels a side.
 inline constexpr std::uint32_t kWidestPicture = 4096;
+/// Shapes in space of a picture; more are left out. RigidDrawing has at most as many rows.
+inline constexpr std::size_t kMostShapes = 1024;
 
 /// The part of hooks that keeps what was shown last: nothing for a graph without `render:`.
 template <class Graph>

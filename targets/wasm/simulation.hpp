@@ -180,7 +180,7 @@ class Simulation {
   /// [height][width][4], with the last one 255; null if there is no such picture.
   const std::uint8_t* picture(std::uint32_t width, std::uint32_t height) {
     if constexpr (target::has_render<Graph>) {
-      static constinit picture::Painter<target::kWidestPicture> painter{};
+      static constinit picture::Painter<target::kWidestPicture, 384, target::kMostShapes> painter{};
       if (width == 0 || height == 0 || width > kWidest || height > kWidest) return nullptr;
       const std::size_t count = std::size_t{width} * height;
       pixels_.resize(4 * count);

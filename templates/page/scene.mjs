@@ -3,7 +3,7 @@
 
 const kShapes = [
   "none", "view", "line", "polyline", "polygon", "circle", "rectangle", "arrow", "text", "camera", "plane", "box",
-  "sphere", "capsule", "cylinder", "segment"
+  "sphere", "capsule", "cylinder", "segment", "facet"
 ];
 export const kOnScreen = 32, kColumns = 16;
 
@@ -230,6 +230,15 @@ function paintRound(context, camera, row, a, b, radius) {
   });
 }
 
+const facetCorners = (n) => [0, 3, 6, 9].map((i) => [...n.subarray(i, i + 3)]);
+
+/** The middle of a row in space. */
+function middleOf({n, shape}) {
+  if (shape === "segment") return [(n[0] + n[3]) / 2, (n[1] + n[4]) / 2, (n[2] + n[5]) / 2];
+  if (shape === "facet") return times(0.25, facetCorners(n).reduce(plus));
+  return [n[0], n[1], n[2]];
+}
+
 function paintInSpace(context, camera, row, height) {
   const {n, shape} = row, at = [n[0], n[1], n[2]];
   if (shape === "plane") return paintPlane(context, camera, row);
@@ -239,6 +248,11 @@ function paintInSpace(context, camera, row, height) {
   if (shape === "capsule") {
     const half = times(n[8] / 2, turned(n, [0, 0, 1]));
     return paintRound(context, camera, row, minus(at, half), plus(at, half), n[7]);
+  }
+  if (shape === "facet") {
+    const corners = facetCorners(n), [a, b, c] = corners, normal = unit(cross(minus(b, a), minus(c, a)));
+    const seen = dot(normal, minus(camera.eye, a)) < 0 ? times(-1, normal) : normal;
+    return paintFace(context, camera, corners, paintOf(row, lightOn(seen)));
   }
   const end = [n[3], n[4], n[5]], [pa, pb] = [camera.see(at), camera.see(end)];
   if (!pa || !pb) return;
@@ -262,9 +276,7 @@ export function paintScene(context, scene, width, height) {
     view = {scale, at: (x, y) => [width / 2 + (x - seen.n[0]) * scale, height / 2 - (y - seen.n[1]) * scale]};
   } else if (seen) {
     const camera = new SceneCamera(seen.n, width, height), first = kShapes.indexOf("plane");
-    const middle = ({n, shape}) =>
-        (shape === "segment" ? [(n[0] + n[3]) / 2, (n[1] + n[4]) / 2, (n[2] + n[5]) / 2] : n.slice(0, 3));
-    const depth = (row) => (row.shape === "plane" ? Infinity : camera.depth([...middle(row)]));
+    const depth = (row) => (row.shape === "plane" ? Infinity : camera.depth(middleOf(row)));
     known.filter((row) => kShapes.indexOf(row.shape) >= first)
         .map((row) => [depth(row), row])
         .sort(([a], [b]) => (a === b ? 0 : b - a))

@@ -31,7 +31,7 @@ test("every shape of the plane and of space paints something, a row of zeros end
     return calls.length - painted(scene(first)).length;
   };
   for (const kind of [2, 3, 4, 5, 6, 7]) assert.ok(paints(kind, row(1, 0, 1, 0, 0, 0, 2)) > 0, `shape ${kind}`);
-  for (const kind of [10, 11, 12, 13, 14, 15])
+  for (const kind of [10, 11, 12, 13, 14, 15, 16])
     assert.ok(paints(kind, row(9, 0, 1, 0, 3, 3, 2, 0, 0, 0, 1)) > 0, `shape ${kind}`);
   assert.equal(painted(scene(row(), row(5, 0, 1, 0, 0, 0, 9))).length, painted(scene(row())).length);
 });
@@ -43,6 +43,21 @@ test("what is near the eye stands before what is far", () => {
   const [near, far] = [sphere(0xff0000, 2), sphere(0x0000ff, -2)];
   assert.match(order(near, far).at(-1), /^rgba\(\d+, 0, 0/);
   assert.deepEqual(order(near, far), order(far, near));
+});
+
+test("a facet is a flat piece in the light", () => {
+  const camera = row(9, 0, 1, 0, 0, 0, 5, 0, 0, 0, 1);
+  const facet = (...corners) => painted(scene(camera, row(16, 0x808080, 1, 0, ...corners)));
+  const seen = facet(-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0);
+  assert.equal(of(seen, "moveTo").length, 1);
+  assert.equal(of(seen, "lineTo").length, 3);
+  const light = (calls) => Number(/^rgba\((\d+)/.exec(of(calls, "fillStyle =").at(-1)[1])[1]);
+  assert.ok(light(seen) > light(facet(-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1)));  // upright
+  assert.equal(light(seen), light(facet(-1, 1, 0, 1, 1, 0, 1, -1, 0, -1, -1, 0)));  // both sides
+  // The nearer one is painted last, wherever its first corner is.
+  const low = row(16, 0xff0000, 1, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 0);
+  const high = row(16, 0x0000ff, 1, 0, 0, 0, 0.9, 1, 0, 2, 1, 1, 2, 0, 1, 2);
+  assert.match(of(painted(scene(camera, high, low)), "fillStyle =").at(-1)[1], /^rgba\(0, 0/);
 });
 
 test("no number is too strange", () => {

@@ -7,6 +7,7 @@
 #include <eagerx/math.hpp>
 #include <eagerx/rate.hpp>
 #include <eagerx/scene.hpp>
+#include <models/engines/open_dynamics_engine/rigid_joints.hpp>
 #include <models/engines/open_dynamics_engine/scene.hpp>
 #include <type_traits>
 
@@ -27,8 +28,9 @@ class RigidDrawing {
     for (std::size_t g = 0; g < Model::kGeometries.size(); ++g) add_geometry(scene, simulator, g);
     for (std::size_t j = 0; j < Model::kJoints.size(); ++j) add_link(scene, simulator, j);
     for (std::size_t b = 0; b < kBodies; ++b) {
-      if (!has_geometry(b) && !is_rod_[b]) add_box(scene, simulator, b);
+      if (!has_geometry(b) && !is_rod_[b] && !has_facets(b)) add_box(scene, simulator, b);
     }
+    if constexpr (requires { Model::kFacets; }) add_facets(scene, simulator);
   }
 
  private:
@@ -51,6 +53,24 @@ class RigidDrawing {
     }
     return false;
   }
+  /// Of each facet.
+  static constexpr auto kFacetBody = [] {
+    if constexpr (requires { Model::kFacets; }) {
+      std::array<std::size_t, Model::kFacets.size()> bodies{};
+      for (std::size_t f = 0; f < bodies.size(); ++f) bodies[f] = body_of(Model::kFacets[f].body);
+      return bodies;
+    } else {
+      return std::array<std::size_t, 0>{};
+    }
+  }();
+  static constexpr auto kHasFacets = [] {
+    std::array<bool, kBodies> has{};
+    for (const std::size_t body : kFacetBody) {
+      if (body < kBodies) has[body] = true;
+    }
+    return has;
+  }();
+  static constexpr bool has_facets(std::size_t body) { return body < kBodies && kHasFacets[body]; }
   /// Whether a joint turns the body about a point that is not its centre of mass.
   static constexpr auto is_rod_ = [] {
     std::array<bool, kBodies> rods{};
@@ -118,6 +138,7 @@ class RigidDrawing {
   static void add_geometry(Writer& scene, Simulator& simulator, std::size_t g) {
     const RigidGeometry& shape = Model::kGeometries[g];
     const std::size_t body = body_of(shape.body);
+    if (has_facets(body)) return;
     Vector3 at = shape.position;
     Quaternion turn = shape.rotation;
     if (body < kBodies) {
@@ -144,7 +165,7 @@ class RigidDrawing {
   static void add_link(Writer& scene, Simulator& simulator, std::size_t j) {
     const RigidJoint& joint = Model::kJoints[j];
     const std::size_t child = body_of(joint.child);
-    if (!is_rod_[child]) return;
+    if (!is_rod_[child] || has_facets(child)) return;
     const auto state = simulator.state(child);
     const Vector3 arm = rotate(state.rotation, Model::kBodies[child].position - joint.anchor);
     const double length = eagerx::sqrt(dot(arm, arm));
@@ -154,6 +175,30 @@ class RigidDrawing {
                                              : normalised({{1.0 + d[2], -d[1], d[0], 0.0}});
     scene.capsule(pose(state.position, turn), static_cast<float>(kThickness),
                   static_cast<float>(2.0 * length), colour(child));
+  }
+
+  static constexpr Vector3 origin() {
+    if constexpr (requires { Model::kOrigin; }) return Model::kOrigin;
+    return {};
+  }
+  static void add_facets(Writer& scene, Simulator& simulator) {
+    std::array<RigidState, kBodies> states;
+    for (std::size_t b = 0; b < kBodies; ++b) {
+      if (has_facets(b)) states[b] = simulator.state(b);
+    }
+    for (std::size_t f = 0; f < kFacetBody.size(); ++f) {
+      const std::size_t body = kFacetBody[f];
+      Point3 corners[4];
+      for (std::size_t i = 0; i < 4; ++i) {
+        const auto& corner = Model::kFacets[f].corners[i];
+        const Vector3 from{{static_cast<double>(corner[0]), static_cast<double>(corner[1]),
+                            static_cast<double>(corner[2])}};
+        corners[i] =
+            point(body < kBodies ? states[body].position + rotate(states[body].rotation, from)
+                                 : origin() + from);
+      }
+      scene.facet(corners, colour(body));
+    }
   }
 
   /// A homogeneous box of the same mass and inertia.

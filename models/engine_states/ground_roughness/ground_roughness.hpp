@@ -1,4 +1,4 @@
-// Sets how rough the ground of an object on MultibodyEngine is.
+// Sets how rough the ground of an object is, on MultibodyEngine and OpenDynamicsEngine.
 #pragma once
 
 #include <cstddef>

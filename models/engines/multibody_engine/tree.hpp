@@ -124,9 +124,7 @@ constexpr std::size_t points_of(ShapeKind kind) {
 /// The plane that everything of an object touches; as many as there are geometries if none.
 template <class Model>
 constexpr std::size_t find_plane() {
-  std::size_t g = 0;
-  while (g < Model::kGeometries.size() && Model::kGeometries[g].kind != ShapeKind::plane) ++g;
-  return g;
+  return scene::find_plane<Model>();
 }
 template <class Model>
 constexpr std::size_t count_planes() {

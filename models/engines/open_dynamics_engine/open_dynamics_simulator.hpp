@@ -12,6 +12,7 @@
 #include <models/engines/open_dynamics_engine/rigid_world.hpp>
 #include <models/engines/open_dynamics_engine/scene.hpp>
 #include <models/engines/open_dynamics_engine/servo_constraint.hpp>
+#include <models/engines/open_dynamics_engine/spring_constraint.hpp>
 
 namespace eagerx::models {
 
@@ -36,8 +37,8 @@ class OpenDynamicsSimulator {
   static_assert(!scene::has_mimics<Model>(),
                 "OpenDynamicsEngine: no joint mimics another one; MultibodyEngine can do it");
   static_assert(
-      !requires { Model::kHeights; },
-      "OpenDynamicsEngine: a plane has no heights on it; MultibodyEngine can do it");
+      scene::has_level_plane_for_heights<Model>(),
+      "OpenDynamicsEngine: heights of the ground need a plane that they are above, a level one");
 
   static constexpr std::size_t inputs() {
     if constexpr (requires { Model::kInputs; }) return Model::kInputs;
@@ -55,8 +56,10 @@ class OpenDynamicsSimulator {
   void build(dWorldID world, dSpaceID space) {
     world_ = world;
     for (std::size_t b = 0; b < kBodies; ++b) body_[b] = dBodyCreate(world);
-    for (std::size_t j = 0; j < kJoints; ++j)
+    for (std::size_t j = 0; j < kJoints; ++j) {
       joint_[j] = create_joint(world, Model::kJoints[j], body_[kChild[j]], parent_body(j));
+      spring_[j].create(world, Model::kJoints[j], body_[kChild[j]], parent_body(j));
+    }
     for (std::size_t g = 0; g < kGeometries; ++g) create_shape(g, space);
     shapes_.begin = shape_.data();
     shapes_.count = kGeometries;
@@ -81,6 +84,7 @@ class OpenDynamicsSimulator {
       shape_[g].friction = Model::kGeometries[g].friction;
       shape_[g].bounce = Model::kGeometries[g].bounce;
     }
+    heights_.roughness = 1.0;
     if constexpr (parameter_count() > 0) {
       const auto defaults = Model::default_parameters();
       for (std::size_t i = 0; i < parameter_count(); ++i)
@@ -120,6 +124,10 @@ class OpenDynamicsSimulator {
   }
   void set_friction(std::size_t geometry, double friction) {
     shape_[geometry].friction = eagerx::max(finite_or_zero(friction), 0.0);
+  }
+  /// Factor of the heights of the ground.
+  void set_roughness(double factor) {
+    if (is_factor(factor)) heights_.roughness = factor;
   }
   void set_gravity(const Vector3& gravity) {  // of the whole world
     dWorldSetGravity(world_, finite_or_zero(gravity[0]), finite_or_zero(gravity[1]),
@@ -260,7 +268,7 @@ class OpenDynamicsSimulator {
     for (std::size_t j = 0; j < kJoints; ++j) {
       if (HingeStops::are_switched(Model::kJoints[j]))
         HingeStops::update(joint_[j], Model::kJoints[j], joint_position(j));
-      pull_spring(j);
+      spring_[j].pull(Model::kJoints[j], joint_position(j), step_s_);
       if (hold_by_constraint(j)) continue;
       const double applied = actuator_torque(j);
       const double torque = applied - damping_torque(j, applied);
@@ -335,8 +343,10 @@ class OpenDynamicsSimulator {
   void configure() {
     if constexpr (requires { Model::configure(*this); }) Model::configure(*this);
     for (std::size_t b = 0; b < kBodies; ++b) place_body(body_[b], reference_state(b));
-    for (std::size_t j = 0; j < kJoints; ++j)
+    for (std::size_t j = 0; j < kJoints; ++j) {
       anchor_joint(joint_[j], Model::kJoints[j], origin() + anchor_[j]);
+      spring_[j].anchor(Model::kJoints[j]);
+    }
     reconfigured_ = false;
   }
 
@@ -344,12 +354,17 @@ class OpenDynamicsSimulator {
     const std::size_t body = scene::find(Model::kBodies, Model::kGeometries[g].body);
     shape_[g].body = body < kBodies ? body_[body] : nullptr;
     shape_[g].geom = create_geometry(space, Model::kGeometries[g], shape_[g].body, origin());
+    if constexpr (requires { Model::kHeights; }) {
+      if (g != scene::find_plane<Model>()) return;
+      heights_ = RigidHeights::of<Model>(origin(), Model::kGeometries[g]);
+      shape_[g].heights = &heights_;
+    }
   }
 
   /// As a motor that holds 0, which never turns the joint around, with the torque of the velocity
   /// at the end of the step. A joint has one motor, so next to another it is a torque.
   double damping_torque(std::size_t j, double applied) {
-    const RigidJoint& of = Model::kJoints[j];
+    const RigidJoint of = SpringConstraint::without(Model::kJoints[j]);
     if (!(of.damping > 0.0)) return 0.0;
     const double inertia = joint_inertia(j);
     // A torque of the step's beginning must not turn the joint around.
@@ -360,13 +375,8 @@ class OpenDynamicsSimulator {
     return 0.0;
   }
 
-  void pull_spring(std::size_t j) {
-    const RigidJoint& of = Model::kJoints[j];
-    if (of.stiffness > 0.0) apply_torque(j, of.stiffness * (of.rest - joint_position(j)));
-  }
-
   bool hold_by_constraint(std::size_t j) {
-    const RigidJoint& of = Model::kJoints[j];
+    const RigidJoint of = SpringConstraint::without(Model::kJoints[j]);
     if (degrees_of_freedom(of.kind) != 1) return false;
     return constraint_[j].hold(
         joint_[j], of, has_motor_[j] ? JointServo{} : scaled(servo_[j], factors_[j]),
@@ -415,6 +425,7 @@ class OpenDynamicsSimulator {
   std::array<dJointID, kJoints> joint_{};
   std::array<RigidShape, kGeometries> shape_{};
   RigidShapes shapes_{};
+  RigidHeights heights_{};
   std::array<Vector3, kBodies> reference_{};  // centres of mass in the reference pose
   std::array<Vector3, kJoints> anchor_{};
   std::array<Vector3, kBodies> force_{};
@@ -423,6 +434,7 @@ class OpenDynamicsSimulator {
   std::array<ActuatorFactors, kJoints> factors_{};
   std::array<bool, kJoints> has_motor_{};
   std::array<ServoConstraint, kJoints> constraint_{};
+  std::array<SpringConstraint, kJoints> spring_{};
   std::array<TurnCounter, kJoints> turns_{};
   std::array<Vector3, kBodies> velocity_before_{};  // at the engine's last tick
   double per_period_ = 0.0, step_s_ = 0.0;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <models/engines/open_dynamics_engine/heights.hpp>
 #include <models/engines/open_dynamics_engine/library_faults.hpp>
 #include <models/engines/open_dynamics_engine/rotation.hpp>
 #include <mutex>
@@ -21,8 +22,9 @@ struct RigidShape {
   dBodyID body = nullptr;  // null: part of the world
   double friction = 0.0;
   double bounce = 0.0;
-  bool watched = false;  // the force is observed
-  Vector3 force{};       // of all its contacts in the last step, in the world's axes [N]
+  bool watched = false;                   // the force is observed
+  const RigidHeights* heights = nullptr;  // instead of `geom`, a plane
+  Vector3 force{};  // of all its contacts in the last step, in the world's axes [N]
 };
 
 /// The shapes of an object, in a list of objects.
@@ -210,9 +212,20 @@ class RigidWorld {
     if (one.body != nullptr && other.body != nullptr &&
         dAreConnectedExcluding(one.body, other.body, dJointTypeContact) != 0)
       return;
+    if (one.heights != nullptr) return touch_ground(other, one);
+    if (other.heights != nullptr) return touch_ground(one, other);
     dContactGeom points[kPointsOfPair];
     const int count = dCollide(one.geom, other.geom, kPointsOfPair, points, sizeof(dContactGeom));
     for (int i = 0; i < count; ++i) add_contact(points[i], one, other);
+  }
+
+  void touch_ground(RigidShape& shape, RigidShape& ground) {
+    if (shape.body == nullptr) return;
+    const GroundPoints points(shape.geom);
+    for (std::size_t i = 0; i < points.count(); ++i) {
+      const dContactGeom point = points.touch(i, *ground.heights);
+      if (point.depth >= 0.0) add_contact(point, shape, ground);
+    }
   }
 
   void add_contact(const dContactGeom& point, RigidShape& one, RigidShape& other) {

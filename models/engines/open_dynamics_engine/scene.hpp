@@ -80,9 +80,17 @@ struct RigidGeometry {
   Quaternion rotation{{1.0, 0.0, 0.0, 0.0}};  // from the axes of body or frame; not of planes
 };
 
-/// Heights of the ground above a level plane [m], on MultibodyEngine: bilinear between the points
-/// of a grid, height[i][k] at corner + (i·spacing, k·spacing) of the object's frame; around the
-/// grid as at its edge.
+/// A flat piece of a body as it looks: drawn instead of its geometries, and touched by nothing.
+struct RigidFacet {
+  const char* body = "";  // empty: the world
+  // From the body's center of mass or in the object's frame [m], counterclockwise from outside; a
+  // triangle repeats its last.
+  std::array<std::array<float, 3>, 4> corners{};
+};
+
+/// Heights of the ground above a level plane [m]: bilinear between the points of a grid,
+/// height[i][k] at corner + (i·spacing, k·spacing) of the object's frame; around the grid as at its
+/// edge.
 template <std::size_t X, std::size_t Y>
 struct HeightField {
   static_assert(X >= 2 && Y >= 2, "a height field has at least two points along x and y");
@@ -188,6 +196,25 @@ constexpr bool is_tree() {
   return true;
 }
 
+/// The first plane, or the number of geometries.
+template <class Model>
+constexpr std::size_t find_plane() {
+  std::size_t g = 0;
+  while (g < Model::kGeometries.size() && Model::kGeometries[g].kind != ShapeKind::plane) ++g;
+  return g;
+}
+/// Whether heights, if there are some, are above a level plane.
+template <class Model>
+constexpr bool has_level_plane_for_heights() {
+  if constexpr (requires { Model::kHeights; }) {
+    constexpr std::size_t kPlane = find_plane<Model>();
+    if constexpr (kPlane < Model::kGeometries.size())
+      return Model::kGeometries[kPlane].axis[2] == 1.0;
+    return false;
+  }
+  return true;
+}
+
 /// Whether a joint follows another one.
 template <class Model>
 constexpr bool has_mimics() {
@@ -219,7 +246,8 @@ constexpr bool is_child(std::size_t body) {
 ///   static constexpr std::array<std::array<const char*, 2>, …> kPairs;  // spheres and capsules
 ///   that
 ///                                               // touch each other, on MultibodyEngine
-///   static constexpr HeightField<…> kHeights;   // what the plane has on it, on MultibodyEngine
+///   static constexpr std::array<RigidFacet, …> kFacets;  // how bodies look
+///   static constexpr HeightField<…> kHeights;   // what the first plane has on it
 ///   static constexpr std::size_t kInputs;       // numbers that ModelInput sets
 ///   static constexpr std::size_t kParameters;   // numbers that ModelParameters sets, with
 ///   static constexpr Array<double, kParameters> default_parameters();

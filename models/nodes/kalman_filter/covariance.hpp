@@ -120,6 +120,17 @@ class Covariance {
     return gain;
   }
 
+  /// Of c·x, without noise: c·P·cᵀ.
+  [[nodiscard]] Real variance(const Vector& c) const {
+    Real sum(0);
+    for (std::size_t j = 0; j < N; ++j) {
+      Real f = c[j];  // Uᵀ·c
+      for (std::size_t k = 0; k < j; ++k) f += f_.u[k * N + j] * c[k];
+      sum += f_.d[j] * f * f;
+    }
+    return sum;
+  }
+
   [[nodiscard]] TruthOf<Real> is_finite() const {
     TruthOf<Real> finite = true;
     for (const Real& x : f_.u) finite = finite && eagerx::isfinite(x);

@@ -106,6 +106,11 @@ class SpacePainter {
   static Point3 middle(const SceneRow& row) {
     if (row.shape == Shape::segment)
       return 0.5F * (Point3{row.n[0], row.n[1], row.n[2]} + Point3{row.n[3], row.n[4], row.n[5]});
+    if (row.shape == Shape::facet) {
+      Point3 sum = facet_corner(row, 3);
+      for (int i = 0; i < 3; ++i) sum = sum + facet_corner(row, i);
+      return 0.25F * sum;
+    }
     return {row.n[0], row.n[1], row.n[2]};
   }
 
@@ -125,6 +130,8 @@ class SpacePainter {
         return paint_cylinder(row);
       case Shape::segment:
         return paint_segment(row);
+      case Shape::facet:
+        return paint_facet(row);
       default:
         return;
     }
@@ -142,6 +149,8 @@ class SpacePainter {
     };
     if (row.shape == Shape::box) {
       for (int i = 0; i < 8; ++i) add(corner(row, i));
+    } else if (row.shape == Shape::facet) {
+      for (int i = 0; i < 4; ++i) add(facet_corner(row, i));
     } else if (row.shape != Shape::segment && row.shape != Shape::plane) {
       const bool ball = row.shape == Shape::sphere;
       const float radius = ball ? row.n[3] : row.n[7];
@@ -166,6 +175,10 @@ class SpacePainter {
     const float x = (i & 1) != 0 ? 0.5F : -0.5F, y = (i & 2) != 0 ? 0.5F : -0.5F;
     const float z = (i & 4) != 0 ? 0.5F : -0.5F;
     return placed(row.pose(), {x * row.n[7], y * row.n[8], z * row.n[9]});
+  }
+
+  static Point3 facet_corner(const SceneRow& row, int i) {
+    return {row.n[3 * i], row.n[3 * i + 1], row.n[3 * i + 2]};
   }
 
   /// The convex hull of p, in its place (Andrew's monotone chain).
@@ -297,6 +310,16 @@ class SpacePainter {
     if (top) paint_face(rim + kSides, kSides, lit(row.ink.colour, row.ink.opacity, light_on(axis)));
     if (bottom)
       paint_face(rim, kSides, lit(row.ink.colour, row.ink.opacity, light_on(-1.0F * axis)));
+  }
+
+  /// In the light of the side that is seen. Those that look away from the eye are behind the seams
+  /// of the others, and where the order of middles is wrong, before them.
+  void paint_facet(const SceneRow& row) {
+    Point3 p[4];
+    for (int i = 0; i < 4; ++i) p[i] = facet_corner(row, i);
+    Point3 normal = unit(cross(p[1] - p[0], p[2] - p[0]));
+    if (dot(normal, camera_.eye() - p[0]) < 0.0F) normal = -1.0F * normal;
+    paint_face(p, 4, lit(row.ink.colour, row.ink.opacity, light_on(normal)));
   }
 
   void paint_segment(const SceneRow& row) {

@@ -7,7 +7,7 @@
 namespace eagerx::environments {
 
 struct Painter::Work {
-  picture::Painter<target::kWidestPicture> painter;
+  picture::Painter<target::kWidestPicture, 384, target::kMostShapes> painter;
 };
 
 Painter::Painter() : work_(std::make_unique<Work>()) {}

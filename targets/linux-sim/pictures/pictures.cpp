@@ -9,6 +9,7 @@
 #include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/base/supervisor.hpp>
 #include <targets/common/image_message.hpp>
+#include <targets/common/last_shown.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/film.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
@@ -55,7 +56,7 @@ bool read_names(const std::string& path, FileNames& names) {
 
 /// All that needs memory; made when there is something to show.
 struct Studio {
-  picture::Painter<kWidest> painter{};
+  picture::Painter<kWidest, 384, target::kMostShapes> painter{};
   std::vector<std::uint8_t> pixels;
   int width = 0, height = 0;
   bool to_files = false, to_film = false, to_window = false;

@@ -32,6 +32,7 @@
 #include <models/nodes/extended_kalman_filter/extended_kalman_filter.hpp>
 #include <models/nodes/fallback_controller/fallback_controller.hpp>
 #include <models/nodes/first_order_lag/first_order_lag.hpp>
+#include <models/nodes/floating_base_observer/floating_base_observer.hpp>
 #include <models/nodes/forward_kinematics/forward_kinematics.hpp>
 #include <models/nodes/gain/gain.hpp>
 #include <models/nodes/gravity_compensation/gravity_compensation.hpp>
@@ -283,6 +284,10 @@ template <class Real>
 using ArmConfig = robots::MixedConfig<robots::MixedArm<Real>>;
 template <class Real>
 using HandConfig = robots::HandConfig<robots::MixedArm<Real>>;
+template <class Real>
+using LegsConfig = robots::ObserverConfig<robots::TwoLegs<Real>>;
+template class FloatingBaseObserver<robots::ObserverIo<float, LegsConfig<float>, 2, 2>>;
+template class FloatingBaseObserver<robots::ObserverIo<double, LegsConfig<double>, 2, 2>>;
 template class InverseDynamics<robots::DynamicsIo<float, ArmConfig<float>, 4>>;
 template class InverseDynamics<robots::DynamicsIo<double, ArmConfig<double>, 4>>;
 template class GravityCompensation<robots::GravityIo<float, ArmConfig<float>, 4>>;

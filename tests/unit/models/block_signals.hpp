@@ -51,6 +51,15 @@ struct Hanging {
     return middle + 0.01F * Around<0>::at(n, channel);
   }
 };
+/// Positions and velocities of two joints, both feet on the ground, and the inertial measurements
+/// of a robot that stands and shakes.
+struct Standing {
+  static float at(Seq n, std::uint32_t channel) {
+    const float shakes = 0.01F * Around<0>::at(n, channel);
+    if (channel >= 6 && channel < 9) return 1.0F;
+    return channel == 11 ? 9.81F + shakes : shakes;
+  }
+};
 /// Rises every second tick.
 struct Pulses {
   static float at(Seq n, std::uint32_t /*channel*/) { return static_cast<float>(n % 2); }

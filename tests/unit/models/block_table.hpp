@@ -17,6 +17,7 @@
 #include <models/nodes/extended_kalman_filter/extended_kalman_filter.hpp>
 #include <models/nodes/fallback_controller/fallback_controller.hpp>
 #include <models/nodes/first_order_lag/first_order_lag.hpp>
+#include <models/nodes/floating_base_observer/floating_base_observer.hpp>
 #include <models/nodes/forward_kinematics/forward_kinematics.hpp>
 #include <models/nodes/gain/gain.hpp>
 #include <models/nodes/gravity_compensation/gravity_compensation.hpp>
@@ -117,6 +118,18 @@ struct Bench {
       node.callback(Tick{n}, in, out);
       for (const auto& x : b) read(x);
       read(c[0]);
+    } else if constexpr (requires(typename Io::Outputs out) { out.attitude; }) {
+      V<Real, 4> attitude{};
+      V<Real, 3> velocity{}, angular_velocity{}, gravity{};
+      typename Io::Outputs out{attitude, velocity, angular_velocity, gravity};
+      node.callback(Tick{n}, in, out);
+      // Nothing measures the heading, so roundings add up in it; `gravity` has roll and pitch.
+      Real square(0);
+      for (const auto& x : attitude) square += x * x;
+      read(square);
+      for (const auto* vector : {&velocity, &angular_velocity, &gravity}) {
+        for (const auto& x : *vector) read(x);
+      }
     } else {
       Output y{};
       typename Io::Outputs out{y};
@@ -135,7 +148,8 @@ struct Bench {
   }
   /// In an unevaluated expression only.
   static auto output(typename Io::Outputs& out) {
-    if constexpr (requires { out.c; }) {
+    if constexpr (
+        requires { out.c; } || requires { out.attitude; }) {
       return std::type_identity<int>{};
     } else {
       auto& [first] = out;
@@ -263,6 +277,9 @@ using DelayIo = SignalIo<Real, OneDelayConfig>;
 template <class Real>
 using ArmConfig = robots::MixedConfig<robots::MixedArm<Real>>;
 template <class Real>
+using LegsIo = robots::ObserverIo<Real, robots::ObserverConfig<robots::TwoLegs<Real>>, 2, 2,
+                                  eagerx::Rate<kHz>>;
+template <class Real>
 using ArmDynamicsIo = robots::DynamicsIo<Real, ArmConfig<Real>, 4>;
 template <class Real>
 using ArmGravityIo = robots::GravityIo<Real, ArmConfig<Real>, 4>;
@@ -281,7 +298,8 @@ using ArmHandIo = robots::OperationalIo<Real, robots::HandConfig<robots::MixedAr
 /// by, slow filters divide the roundings of P by their gain, phases have the digits of float within
 /// a second times the frequency, and a derivative within the PID controllers divides by the period.
 /// Torques are sums of terms that are a hundred times as large. The search of InverseKinematics
-/// begins at one posture: from its last q, roundings move the joint that the goal leaves free.
+/// begins at one posture: from its last q, roundings move the joint that the goal leaves free. The
+/// feet of FloatingBaseObserver say little of the gyroscope's bias about the vertical.
 inline constexpr std::array kBlocks = {
     row<ActionLimits, LimitsOfActionIo, Near, 0, 1>("action_limits", "", 0.0),
     row<Backlash, BacklashIo, Far, 0, 1>("backlash", "", 1e-7),
@@ -304,6 +322,7 @@ inline constexpr std::array kBlocks = {
     row<ExtendedKalmanFilter, SwingIo, Hanging, 0, 2, 1>("extended_kalman_filter", "", 1e-3),
     row<FallbackController, ChoiceIo, Near, 0, 1, 1>("fallback_controller", "", 0.0),
     row<FirstOrderLag, SlowLagIo, Far, 0, 1>("first_order_lag", "60 s", 1e-6),
+    row<FloatingBaseObserver, LegsIo, Standing, 0, 2, 2, 2, 6>("floating_base_observer", "", 1e-4),
     row<ForwardKinematics, ArmForwardIo, Near, 0, 4>("forward_kinematics", "", 4e-6),
     row<Gain, blocks::GainIo, Far, 0, 2>("gain", "", 1e-7),
     row<GravityCompensation, ArmGravityIo, Near, 0, 4>("gravity_compensation", "", 2e-5),

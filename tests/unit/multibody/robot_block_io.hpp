@@ -77,6 +77,42 @@ struct MixedArm {
   static constexpr std::array<RigidGeometry, 0> kGeometries = {};
 };
 
+/// A trunk on two legs with a hinge each, whose feet are spheres.
+template <class RealType>
+struct TwoLegs {
+  using Real = RealType;
+  static constexpr std::array<RigidBody, 3> kBodies = {
+      {{.name = "trunk", .mass = 5.0, .inertia = {{0.05, 0.05, 0.05}}, .position = {{0, 0, 0.6}}},
+       {.name = "left",
+        .mass = 0.5,
+        .inertia = {{0.01, 0.01, 0.001}},
+        .position = {{0.15, 0.1, 0.4}}},
+       {.name = "right",
+        .mass = 0.5,
+        .inertia = {{0.01, 0.01, 0.001}},
+        .position = {{-0.15, -0.1, 0.4}}}}};
+  static constexpr std::array<RigidJoint, 2> kJoints = {{{.name = "left_hip",
+                                                          .parent = "trunk",
+                                                          .child = "left",
+                                                          .anchor = {{0.15, 0.1, 0.6}},
+                                                          .axis = {{0.0, 1.0, 0.0}}},
+                                                         {.name = "right_hip",
+                                                          .parent = "trunk",
+                                                          .child = "right",
+                                                          .anchor = {{-0.15, -0.1, 0.6}},
+                                                          .axis = {{0.0, 0.8, 0.6}}}}};
+  static constexpr std::array<RigidGeometry, 3> kGeometries = {
+      {{.name = "left_foot",
+        .body = "left",
+        .size = {{0.03, 0.0, 0.0}},
+        .position = {{0.0, 0.0, -0.4}}},
+       {.name = "right_foot",
+        .body = "right",
+        .size = {{0.02, 0.0, 0.0}},
+        .position = {{0.0, 0.0, -0.4}}},
+       {.name = "ground", .kind = ShapeKind::plane}}};
+};
+
 /// Defaults of the manifests, for all joints of a model.
 template <class ModelType>
 struct RobotConfig {
@@ -107,6 +143,20 @@ struct HandConfig : MixedConfig<Model> {
   static constexpr double kp = 100.0, kd = 20.0;
 };
 
+/// FloatingBaseObserver.
+template <class ModelType>
+struct ObserverConfig {
+  struct model {
+    using Model = ModelType;
+  };
+  static constexpr const char* joints = "";
+  static constexpr const char* feet = "left_foot right_foot";
+  static constexpr double gravity = 9.81;
+  static constexpr double gyro_noise = 0.02, accelerometer_noise = 0.5, bias_drift = 1e-3;
+  static constexpr double foot_noise = 0.1, gate = 4.0, patience = 0.5;
+  static constexpr double initial_tilt = 0.1, initial_speed = 1.0, initial_bias = 0.05;
+};
+
 template <class RealType, class ConfigType>
 struct RobotIo {
   using Real = RealType;
@@ -123,6 +173,19 @@ struct DynamicsIo : RobotIo<Real, Config> {
   };
   struct Outputs {
     Array<Real, N>& u;
+  };
+};
+template <class Real, class Config, std::size_t N, std::size_t Feet, class RateType = Rate<100>>
+struct ObserverIo : RobotIo<Real, Config> {
+  using Rate = RateType;
+  struct Inputs {
+    Skipped<Array<Real, N>> q, v;
+    Skipped<Array<Real, Feet>> contacts;
+    Skipped<Array<Real, 6>> imu;
+  };
+  struct Outputs {
+    Array<Real, 4>& attitude;
+    Array<Real, 3>&velocity, &angular_velocity, &gravity;
   };
 };
 template <class Real, class Config, std::size_t N>

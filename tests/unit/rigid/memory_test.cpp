@@ -45,7 +45,8 @@ struct Snake {
                    .anchor = {{0.1 * (static_cast<double>(i) + 0.5), 0.0, 0.02}},
                    .axis = {{0.0, 0.0, 1.0}},
                    .low = -0.1,
-                   .high = 0.1};
+                   .high = 0.1,
+                   .stiffness = 0.01};
     return result;
   }();
   static constexpr auto kGeometries = [] {

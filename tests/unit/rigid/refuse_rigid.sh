@@ -41,4 +41,11 @@ refuse 'joints must make a tree, with parents before their children' \
   'struct Wrong : ArmModel { static constexpr std::array<RigidJoint, 2> kJoints = {{
      {.name = "elbow", .parent = "upper_arm", .child = "lower_arm"}, {.name = "shoulder", .child = "upper_arm"}}}; };
    template class OpenDynamicsSimulator<Wrong>;'
+refuse 'heights of the ground need a plane that they are above, a level one' \
+  'struct Wrong : BoxModel { static constexpr HeightField<2, 2> kHeights{};
+     static constexpr std::array<RigidGeometry, 1> kGeometries = {{{.kind = ShapeKind::plane, .axis = {{0.0, 0.6, 0.8}}}}}; };
+   template class OpenDynamicsSimulator<Wrong>;'
+refuse 'heights of the ground need a plane that they are above, a level one' \
+  'struct Wrong : BoxModel { static constexpr HeightField<2, 2> kHeights{}; static constexpr std::array<RigidGeometry, 0> kGeometries = {}; };
+   template class OpenDynamicsSimulator<Wrong>;'
 [ $failures -eq 0 ] && echo "all wrong names are refused by $compiler"

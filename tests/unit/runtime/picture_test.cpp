@@ -215,6 +215,40 @@ TEST(Picture, NothingBehindTheCameraIsSeen) {
   EXPECT_EQ(area(grey(message)), 0.0);
 }
 
+TEST(Picture, FacetsAreFlatPiecesInSpace) {
+  const auto seen = [](const Point3(&corners)[4]) {
+    Drawing message{};
+    SceneWriter scene(message);
+    scene.camera({0.0F, -3.0F, 0.0F}, {}, 0.8F, 0xffffff);
+    scene.facet(corners, 0x000000);
+    return area(grey(message));
+  };
+  // 64 pixels are 0.8 rad, and a meter is 3 m away.
+  const double side = 32.0 / std::tan(0.4) / 3.0, square = side * side;
+  EXPECT_NEAR(seen({{-0.5F, 0, -0.5F}, {0.5F, 0, -0.5F}, {0.5F, 0, 0.5F}, {-0.5F, 0, 0.5F}}),
+              square, 0.01 * square);
+  EXPECT_NEAR(seen({{-0.5F, 0, -0.5F}, {0.5F, 0, -0.5F}, {0.5F, 0, 0.5F}, {0.5F, 0, 0.5F}}),
+              0.5 * square, 0.01 * square);
+  EXPECT_NEAR(seen({{-0.5F, 0, 0.5F}, {0.5F, 0, 0.5F}, {0.5F, 0, -0.5F}, {-0.5F, 0, -0.5F}}),
+              square, 0.01 * square)
+      << "from behind, too";
+  EXPECT_EQ(seen({{-0.5F, -4, -0.5F}, {0.5F, -4, -0.5F}, {0.5F, 0, 0.5F}, {-0.5F, 0, 0.5F}}), 0.0)
+      << "partly behind the camera";
+}
+
+TEST(Picture, FacetsAreLitOnTheSideThatIsSeen) {
+  const auto light = [](const Point3(&corners)[4]) {
+    Drawing message{};
+    SceneWriter scene(message);
+    scene.camera({0.0F, -1.0F, 3.0F}, {}, 0.8F, 0x000000);
+    scene.facet(corners, 0x808080);
+    return grey(message)[32 * 64 + 32];
+  };
+  const int above = light({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
+  EXPECT_EQ(light({{-1, 1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, -1, 0}}), above);
+  EXPECT_LT(light({{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}), above) << "upright";
+}
+
 /// One of everything.
 Drawing everything() {
   Drawing message{};

@@ -141,6 +141,38 @@ TEST(UrdfMeshes, SpheresEncloseWithinTheDistance) {
   EXPECT_NEAR(one, std::hypot(0.25, 0.02, 0.02) - 0.02, 2e-3);  // beyond the side
 }
 
+double volume_of(const Triangles& triangles) {
+  double sum = 0.0;
+  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3)
+    sum += dot(triangles[t], models::cross(triangles[t + 1], triangles[t + 2])) / 6.0;
+  return sum;
+}
+
+TEST(UrdfMeshes, FewTrianglesLookLikeAllOfThem) {
+  const Triangles ball = turned_body(half_circle(0.1, 0.0, 0.0));
+  ASSERT_GT(ball.size() / 3, 4000U);
+  for (const std::size_t most : {40U, 200U, 1000U}) {
+    const Triangles few = decimated(ball, most);
+    EXPECT_LE(few.size() / 3, most);
+    EXPECT_GE(few.size() / 3, most / 4);
+    for (const Vector3& p : few) EXPECT_NEAR(std::sqrt(dot(p, p)), 0.1, most < 100 ? 0.03 : 0.01);
+    const double expected = 4.0 / 3.0 * M_PI * 0.001;
+    EXPECT_GT(volume_of(few), (most < 100 ? 0.5 : 0.8) * expected) << "counterclockwise";
+    EXPECT_LT(volume_of(few), expected);
+  }
+  EXPECT_NEAR(surface_of(ball), 4.0 * M_PI * 0.01, 2e-4);
+  Triangles inside_out = ball;
+  for (std::size_t t = 0; t + 2 < ball.size(); t += 3)
+    std::swap(inside_out[t + 1], inside_out[t + 2]);
+  EXPECT_GT(volume_of(decimated(inside_out, 200)), 0.0);
+  const Triangles brick = block({{0.3, 0.2, 0.1}});
+  EXPECT_EQ(decimated(brick, 12).size(), brick.size());
+  const Triangles box = decimated(ball, 5);  // too few for a ball
+  EXPECT_EQ(box.size(), 36U);
+  EXPECT_NEAR(volume_of(box), 0.008, 1e-5);
+  EXPECT_TRUE(decimated({}, 10).empty());
+}
+
 /// A folder for the files of a test.
 class UrdfMeshFiles : public ::testing::Test {
  protected:
@@ -208,6 +240,67 @@ TEST_F(UrdfMeshFiles, BecomeShapesOfTheRobot) {
   EXPECT_GT(robot("filename='package://arm/meshes/block.obj'", {.shapes = CollisionShapes::spheres})
                 ->shapes.size(),
             4U);
+}
+
+TEST_F(UrdfMeshFiles, VisualsAreDrawn) {
+  const auto arm = [&](const std::string& visual, std::size_t facets) {
+    const std::string inertial =
+        "<inertial><origin xyz='0 0 1'/><mass value='1'/><inertia ixx='1' iyy='1' "
+        "izz='1'/></inertial>";
+    auto description = read_text(
+        "r.urdf",
+        "<robot name='r'><link name='base'><visual><geometry><mesh "
+        "filename='package://arm/meshes/block.obj'/></geometry></visual></link><link name='a'>" +
+            inertial + visual +
+            "</link><joint name='j' type='continuous'><parent link='base'/><child "
+            "link='a'/><origin "
+            "xyz='0 0 2'/></joint></robot>",
+        sources_, diagnostics_);
+    EXPECT_TRUE(description);
+    resolve_meshes(*description, (folder_ / "arm/urdf").string(), {.facets = facets}, diagnostics_);
+    return make_robot(*description, {}, diagnostics_);
+  };
+  const std::string visual =
+      "<visual><origin xyz='0 0 3' rpy='0 0 1.5707963267948966'/><geometry><mesh "
+      "filename='package://arm/meshes/block.obj' scale='1 2 1'/></geometry></visual>";
+  const auto made = arm(visual, 400);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(diagnostics_.error_count(), 0U);
+  EXPECT_TRUE(made->shapes.empty()) << "nothing touches them";
+  if (!reads_meshes()) {
+    EXPECT_TRUE(made->facets.empty());
+    return;
+  }
+  ASSERT_EQ(made->facets.size(), 24U);
+  Vector3 low{{9, 9, 9}}, high{{-9, -9, -9}};
+  for (const Facet& facet : made->facets) {
+    if (facet.body != "a") continue;
+    for (const Vector3& p : facet.corners) {
+      for (std::size_t i = 0; i < 3; ++i)
+        low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
+    }
+  }
+  // Turned by a quarter, 3 m above the joint, whose body has its center of mass at 1 m.
+  EXPECT_NEAR(low[0], -0.8, 1e-6);
+  EXPECT_NEAR(high[0], 0.0, 1e-6);
+  EXPECT_NEAR(high[1], 0.2, 1e-6);
+  EXPECT_NEAR(low[2], 2.0, 1e-6);
+  EXPECT_NEAR(high[2], 2.6, 1e-6);
+  EXPECT_TRUE(std::ranges::any_of(made->facets, &std::string::empty, &Facet::body))
+      << "the base is part of the world";
+  EXPECT_NE(header_text(*made).find("std::array<RigidFacet, 24> kFacets"), std::string::npos);
+  EXPECT_NE(manifest_text(*made).find("scene: {type: RigidDrawing"), std::string::npos);
+  const auto none = arm(visual, 0);
+  EXPECT_TRUE(none->facets.empty());
+  EXPECT_EQ(header_text(*none).find("kFacets"), std::string::npos);
+  EXPECT_EQ(manifest_text(*none).find("scene"), std::string::npos);
+  // What is only seen refuses no robot.
+  const auto strange =
+      arm("<visual><origin xyz='0 nan'/><geometry><mesh filename='package://arm/meshes/block.obj' "
+          "scale='big'/></geometry></visual>",
+          400);
+  ASSERT_TRUE(strange);
+  EXPECT_EQ(strange->facets.size(), 24U);
 }
 
 TEST_F(UrdfMeshFiles, OneThatIsNotThereIsLeftOutWithAWarning) {
