@@ -113,7 +113,7 @@ Triangles decimated(const Triangles& triangles, std::size_t most) {
   if (triangles.size() / 3 <= most) {
     best = triangles;
   } else if (bounds.longest() > 0.0) {
-    int coarse = 1, fine = kFinest + 1;  // good enough, too many triangles
+    int coarse = 0, fine = kFinest + 1;  // few enough, too many triangles
     while (fine - coarse > 1) {
       const int cells = (coarse + fine) / 2;
       Triangles tried = clustered(triangles, bounds, cells);
