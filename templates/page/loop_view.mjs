@@ -230,11 +230,12 @@ function factsOf({margins, simulated}) {
     margins.stable_messages === null ? null :
                                        ["stable with", counted(margins.stable_messages, "more message"), "of delay"],
     ["peak of sensitivity", short(margins.sensitivity), at(margins.sensitivity_hz)],
-    simulated && margins.stable ? [
-      "simulated step", `within ${short(100 * simulated.difference, 3)} %`,
-      `of the linear model, for ${short(simulated.size)}${simulated.unit ? ` ${simulated.unit}` : ""}`
-    ] :
-                null,
+    simulated && margins.stable ?
+        [
+          "simulated step", `within ${short(100 * simulated.difference, 3)} %`,
+          `of the linear model, for ${short(simulated.size)}${simulated.unit ? ` ${simulated.unit}` : ""}`
+        ] :
+        null,
     ...margins.ages.map(({from, to, newest_s}) => ["age of data", seconds(newest_s), `from ${from} to ${to}`])
   ].filter(Boolean);
 }

@@ -52,7 +52,7 @@ test("a facet is a flat piece in the light", () => {
   assert.equal(of(seen, "moveTo").length, 1);
   assert.equal(of(seen, "lineTo").length, 3);
   const light = (calls) => Number(/^rgba\((\d+)/.exec(of(calls, "fillStyle =").at(-1)[1])[1]);
-  assert.ok(light(seen) > light(facet(-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1)));  // upright
+  assert.ok(light(seen) > light(facet(-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1)));    // upright
   assert.equal(light(seen), light(facet(-1, 1, 0, 1, 1, 0, 1, -1, 0, -1, -1, 0)));  // both sides
   // The nearer one is painted last, wherever its first corner is.
   const low = row(16, 0xff0000, 1, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 0);

@@ -74,7 +74,7 @@ class SharedCode {
     return false;
   }
 
-  /// Whether it goes on at once in another kind's code.
+  /// Whether it continues at once in another kind's code.
   [[nodiscard]] bool is_joined(BlockIndex b) const {
     const auto& code = flow_.blocks[b].code;
     if (code.empty()) return false;

@@ -1,4 +1,4 @@
-// Whether the code of each kind of slot can be told from that of the others.
+// Whether the code of each kind of slot can be distinguished from that of the others.
 #pragma once
 
 #include <cstdint>

@@ -265,7 +265,7 @@ class ResetView {
     return parts;
   }
 
-  /// The slots of a routine in so many ticks, if 32 bits can count them: a limit that the analysis
+  /// The slots of a routine in this number of ticks, if 32 bits can count them: a limit that the analysis
   /// of an image finds (generator/analysis/bound).
   void add_most_slots(std::uint64_t ticks) {
     const std::uint64_t in_tick = most_slots(plan_);

@@ -13,7 +13,7 @@ Help of each command ends with examples, and `help COMMAND` is the same.
   Usage: eagerx-gen check [OPTIONS] graph
   5
   Usage: eagerx-gen info [OPTIONS] [entity]
-  5
+  6
   Usage: eagerx-gen graph [OPTIONS] graph
   2
   Usage: eagerx-gen report [OPTIONS] graph

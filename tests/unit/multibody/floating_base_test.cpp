@@ -8,7 +8,7 @@
 #include <models/nodes/floating_base_observer/floating_base_observer.hpp>
 
 #include "tests/unit/models/block_harness.hpp"
-#include "tests/unit/multibody/draw.hpp"
+#include "tests/unit/multibody/sampler.hpp"
 #include "tests/unit/multibody/multibody_io.hpp"
 #include "tests/unit/multibody/robot_block_io.hpp"
 #include "tests/unit/multibody/robots.hpp"
@@ -178,7 +178,7 @@ Errors follow(double noise, bool feet = true) {
   FloatingBaseObserver<Io> node;
   node.reset({});
   Walking walking;
-  Draw draw;
+  Sampler sample;
   const std::array<double, 3> bias = {0.03, -0.02, 0.025};
   Errors sum{};
   int count = 0;
@@ -186,8 +186,8 @@ Errors follow(double noise, bool feet = true) {
     auto& simulator = walking.simulator;
     Twelve q{}, v{};
     for (std::size_t j = 0; j < 12; ++j) {
-      q[j] = simulator.joint_position(j) + noise * draw(0.005);
-      v[j] = simulator.joint_velocity(j) + noise * draw(0.3);
+      q[j] = simulator.joint_position(j) + noise * sample(0.005);
+      v[j] = simulator.joint_velocity(j) + noise * sample(0.3);
     }
     Four contacts{};
     for (std::size_t g = 0; g < 4; ++g)
@@ -195,8 +195,8 @@ Errors follow(double noise, bool feet = true) {
     std::array<double, 6> imu{};
     const auto exact = simulator.imu(0);
     for (std::size_t i = 0; i < 3; ++i) {
-      imu[i] = exact[i] + noise * draw(0.5);
-      imu[3 + i] = exact[3 + i] + noise * (bias[i] + draw(0.02));
+      imu[i] = exact[i] + noise * sample(0.5);
+      imu[3 + i] = exact[3 + i] + noise * (bias[i] + sample(0.02));
     }
     const Outputs y = tick(node, q, v, contacts, imu);
     const RigidState truth = simulator.state(0);
@@ -248,7 +248,7 @@ TEST(FloatingBase, LanesHaveTheBitsOfPlainNumbers) {
   std::array<FloatingBaseObserver<Plain>, 4> plain;
   vectorized.reset({});
   for (auto& node : plain) node.reset({});
-  Draw draw;
+  Sampler sample;
   for (int n = 0; n < 300; ++n) {
     Array<P, 2> q{}, v{}, contacts{};
     Array<P, 6> imu{};
@@ -260,13 +260,13 @@ TEST(FloatingBase, LanesHaveTheBitsOfPlainNumbers) {
         set_lane(wide[i], l, one[l][i]);
       };
       for (std::size_t i = 0; i < 2; ++i) {
-        set(q, q1, i, draw(0.3));
-        set(v, v1, i, draw(1.0));
-        set(contacts, contacts1, i, draw(1.0) > -0.6 ? 1.0 : 0.0);
+        set(q, q1, i, sample(0.3));
+        set(v, v1, i, sample(1.0));
+        set(contacts, contacts1, i, sample(1.0) > -0.6 ? 1.0 : 0.0);
       }
-      const bool is_lost = draw(1.0) > 0.95;
+      const bool is_lost = sample(1.0) > 0.95;
       for (std::size_t i = 0; i < 6; ++i)
-        set(imu, imu1, i, is_lost ? kNan<double> : (i == 2 ? kG : 0.0) + draw(0.5));
+        set(imu, imu1, i, is_lost ? kNan<double> : (i == 2 ? kG : 0.0) + sample(0.5));
     }
     Array<P, 4> attitude{};
     Array<P, 3> velocity{}, rate{}, gravity{};

@@ -106,8 +106,8 @@ void check_bump() {
   const RigidState on_top = left_alone(ball, {{0.02, 0.03, 0.2}}, 2.0);
   expect_at_rest(on_top);
   EXPECT_NEAR(on_top.position[2], 0.05 + 0.1, 2e-4);
-  SceneOf<Ball<Bump>> beside;
-  EXPECT_NEAR(left_alone(beside, {{-1.0, 0.5, 0.2}}, 2.0).position[2], 0.1, 2e-4);
+  SceneOf<Ball<Bump>> next_to;
+  EXPECT_NEAR(left_alone(next_to, {{-1.0, 0.5, 0.2}}, 2.0).position[2], 0.1, 2e-4);
   SceneOf<Thing<Bump, ShapeKind::capsule>> capsule;
   const RigidState standing = left_alone(capsule, {{0.0, 0.0, 0.4}}, 0.5);
   EXPECT_NEAR(standing.position[2], 0.05 + 0.1 + 0.1, 2e-4) << "it stands on its lower end";

@@ -34,7 +34,7 @@ struct Swing {
   double period = 0.0;     // mean [s]
   double decrement = 0.0;  // logarithmic, of a period
 };
-/// From 0.5 beside its rest, over ten periods.
+/// From 0.5 from its rest, over ten periods.
 template <class Scene>
 Swing swing(Scene&& scene) {
   scene.simulator.want_joint(0, {{kRest + 0.5, 0.0}, {0.0, 0.0}});
