@@ -265,8 +265,8 @@ class ResetView {
     return parts;
   }
 
-  /// The slots of a routine in this number of ticks, if 32 bits can count them: a limit that the analysis
-  /// of an image finds (generator/analysis/bound).
+  /// The slots of a routine in this number of ticks, if 32 bits can count them: a limit that the
+  /// analysis of an image finds (generator/analysis/bound).
   void add_most_slots(std::uint64_t ticks) {
     const std::uint64_t in_tick = most_slots(plan_);
     const bool fits = ticks <= std::numeric_limits<std::uint32_t>::max() / in_tick;

@@ -8,10 +8,10 @@
 #include <models/nodes/floating_base_observer/floating_base_observer.hpp>
 
 #include "tests/unit/models/block_harness.hpp"
-#include "tests/unit/multibody/sampler.hpp"
 #include "tests/unit/multibody/multibody_io.hpp"
 #include "tests/unit/multibody/robot_block_io.hpp"
 #include "tests/unit/multibody/robots.hpp"
+#include "tests/unit/multibody/sampler.hpp"
 
 namespace eagerx::models::testing::robots {
 namespace {
@@ -58,8 +58,8 @@ std::array<unsigned, 2> counts(const Node& node) {  // restarts, slips
 // ---- two legs that stand, by hand
 using Legs = TwoLegs<double>;
 using LegsIo = ObserverIo<double, ObserverConfig<Legs>, 2, 2>;
-using Two = std::array<double, 2>;
-constexpr Two kZero{}, kBoth{1.0, 1.0};
+using PerLeg = std::array<double, 2>;
+constexpr PerLeg kZero{}, kBoth{1.0, 1.0};
 constexpr double kG = 9.81;
 
 TEST(FloatingBase, FindsTiltAndBiasOfARobotThatStands) {
@@ -94,7 +94,7 @@ TEST(FloatingBase, VelocityIsThatOfTheStandingLeg) {
   node.reset({});
   Outputs y{};
   for (int n = 0; n < 200; ++n)
-    y = tick(node, kZero, Two{0.5, 0.0}, Two{1.0, 0.0}, {0.0, 0.0, kG, 0.0, 0.0, 0.0});
+    y = tick(node, kZero, PerLeg{0.5, 0.0}, PerLeg{1.0, 0.0}, {0.0, 0.0, kG, 0.0, 0.0, 0.0});
   // The lowest point of the left foot is 0.63 m below the hip; w x p = 0.5 * (-0.63, 0, 0).
   EXPECT_NEAR(y.velocity[0], 0.5 * 0.63, 0.02);
   EXPECT_NEAR(y.velocity[2], 0.0, 0.02);
@@ -106,11 +106,11 @@ TEST(FloatingBase, FeetThatSlipAreLeftOut) {
   const std::array<double, 6> still = {0.0, 0.0, kG, 0.0, 0.0, 0.0};
   for (int n = 0; n < 200; ++n) tick(node, kZero, kZero, kBoth, still);
   Outputs y{};
-  for (int n = 0; n < 100; ++n) y = tick(node, kZero, Two{0.0, 4.0}, kBoth, still);
+  for (int n = 0; n < 100; ++n) y = tick(node, kZero, PerLeg{0.0, 4.0}, kBoth, still);
   EXPECT_EQ(counts(node), (std::array<unsigned, 2>{0, 100}));
   for (const double v : y.velocity) EXPECT_NEAR(v, 0.0, 0.01);
   // Both of them: it does not believe in its estimate for longer than `patience`.
-  for (int n = 0; n < 60; ++n) y = tick(node, Two{0.3, 0.3}, Two{8.0, 8.0}, kBoth, still);
+  for (int n = 0; n < 60; ++n) y = tick(node, PerLeg{0.3, 0.3}, PerLeg{8.0, 8.0}, kBoth, still);
   EXPECT_EQ(counts(node)[0], 1U);
 }
 
@@ -120,11 +120,11 @@ TEST(FloatingBase, WhatIsNotFiniteChangesNothingForLong) {
   const std::array<double, 6> still = {0.0, 0.0, kG, 0.0, 0.0, 0.0};
   Outputs before = tick(node, kZero, kZero, kBoth, {kNan<double>, 0.0, kG, 0.0, 0.0, 0.0});
   EXPECT_EQ(before.attitude, (std::array<double, 4>{1.0, 0.0, 0.0, 0.0}));
-  for (int n = 0; n < 100; ++n) before = tick(node, kZero, Two{0.2, 0.1}, kBoth, still);
-  const Outputs held = tick(node, kZero, Two{9.0, 9.0}, kBoth, {0, 0, kG, 0, kNan<double>, 0});
+  for (int n = 0; n < 100; ++n) before = tick(node, kZero, PerLeg{0.2, 0.1}, kBoth, still);
+  const Outputs held = tick(node, kZero, PerLeg{9.0, 9.0}, kBoth, {0, 0, kG, 0, kNan<double>, 0});
   EXPECT_EQ(held.velocity, before.velocity);
   EXPECT_EQ(held.attitude, before.attitude);
-  const Outputs alone = tick(node, Two{kNan<double>, 0.0}, kZero, kBoth, {1.0, 0, kG, 0, 0, 0});
+  const Outputs alone = tick(node, PerLeg{kNan<double>, 0.0}, kZero, kBoth, {1.0, 0, kG, 0, 0, 0});
   EXPECT_NEAR(alone.velocity[0], before.velocity[0] + 0.01, 1e-3) << "the IMU predicts";
   EXPECT_EQ(counts(node), (std::array<unsigned, 2>{0, 0}));
 }
@@ -135,7 +135,7 @@ struct WalkerConfig : ObserverConfig<Body> {
   static constexpr const char* feet = "fl_foot fr_foot rl_foot rr_foot";
 };
 using Twelve = std::array<double, 12>;
-using Four = std::array<double, 4>;
+using PerFoot = std::array<double, 4>;
 
 /// At 200 Hz, in steps of 5 ms.
 struct Walking {
@@ -189,7 +189,7 @@ Errors follow(double noise, bool feet = true) {
       q[j] = simulator.joint_position(j) + noise * sample(0.005);
       v[j] = simulator.joint_velocity(j) + noise * sample(0.3);
     }
-    Four contacts{};
+    PerFoot contacts{};
     for (std::size_t g = 0; g < 4; ++g)
       contacts[g] = feet && simulator.contact_force(g)[2] > 5.0 ? 1.0 : 0.0;
     std::array<double, 6> imu{};
