@@ -96,7 +96,7 @@ TEST(ExternalProtocol, EachRequestHasItsSize) {
 }
 
 /// An agent whose program is the test.
-class ExternalAgent : public testing::Test {
+class ExternalAgentTest : public testing::Test {
  protected:
   void SetUp() override {
     std::array<int, 2> both{};
@@ -137,7 +137,7 @@ class ExternalAgent : public testing::Test {
   static inline const std::vector<float> kSampled{kNone, kNone, kNone};
 };
 
-TEST_F(ExternalAgent, StepsWithoutAnActionAreCountedAndSummed) {
+TEST_F(ExternalAgentTest, StepsWithoutAnActionAreCountedAndSummed) {
   ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
   ask(Ask::reset, kSampled, 1);
@@ -168,7 +168,7 @@ TEST_F(ExternalAgent, StepsWithoutAnActionAreCountedAndSummed) {
   EXPECT_FALSE(agent.leaves_something());
 }
 
-TEST_F(ExternalAgent, AnEndThatTheAgentWasLateForIsReported) {
+TEST_F(ExternalAgentTest, AnEndThatTheAgentWasLateForIsReported) {
   ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
   ask(Ask::reset, kSampled);
@@ -190,7 +190,7 @@ TEST_F(ExternalAgent, AnEndThatTheAgentWasLateForIsReported) {
   EXPECT_TRUE(agent.wants_reset());
 }
 
-TEST_F(ExternalAgent, AnswersQuestionsAndRefusesWhatIsNone) {
+TEST_F(ExternalAgentTest, AnswersQuestionsAndRefusesWhatIsNone) {
   ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
   for (const Ask what : {Ask::counts, Ask::hash, Ask::picture, Ask::describe}) ask(what);
@@ -207,7 +207,7 @@ TEST_F(ExternalAgent, AnswersQuestionsAndRefusesWhatIsNone) {
   EXPECT_NE(agent.problem().find("its row of actions has another size"), std::string::npos);
 }
 
-TEST_F(ExternalAgent, ParametersAreThoseOfTheNextStep) {
+TEST_F(ExternalAgentTest, ParametersAreThoseOfTheNextStep) {
   ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
   std::string text;
@@ -235,7 +235,7 @@ TEST_F(ExternalAgent, ParametersAreThoseOfTheNextStep) {
   EXPECT_FALSE(agent.apply_parameters(states.row()));
 }
 
-TEST_F(ExternalAgent, AnAgentThatIsGoneInAnEpisodeLeavesSomething) {
+TEST_F(ExternalAgentTest, AnAgentThatIsGoneInAnEpisodeLeavesSomething) {
   ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
   ask(Ask::reset, kSampled);
@@ -247,7 +247,7 @@ TEST_F(ExternalAgent, AnAgentThatIsGoneInAnEpisodeLeavesSomething) {
   EXPECT_EQ(agent.problem(), "");
 }
 
-TEST_F(ExternalAgent, HardwareNeedsToKnowWhatIsLate) {
+TEST_F(ExternalAgentTest, HardwareNeedsToKnowWhatIsLate) {
   program.moves_hardware = true;
   program.known.safety.declared = false;
   ExternalAgent agent(options, fields, program, true);
