@@ -65,7 +65,7 @@ TEST(TrainPresets, WrongOnes) {
   EXPECT_EQ(refused({"--preset", "locomotoin"}),
             "there is no preset `locomotoin`; did you mean `locomotion`?");
   EXPECT_EQ(refused({"--preset", "x"}),
-            "there is no preset `x`; there is locomotion, rare_goal, reaching, swing_up");
+            "there is no preset `x`; available: locomotion, rare_goal, reaching, swing_up");
   EXPECT_EQ(refused({"--preset", "locomotion", "--algorithm", "sac"}),
             "the preset `locomotion` is for ppo, and the algorithm is sac; leave out "
             "`--algorithm`, or `--preset`");
