@@ -153,9 +153,14 @@ void describe(const LqrDesign& design, const LqrRequest& request, DesignReport& 
     report.facts.emplace_back(
         "cost", "that of the full-state regulator: the node receives the whole state");
   }
+  if (!design.free.empty())
+    report.facts.emplace_back(
+        "free", fmt::format("{} costs nothing, changes no gain, and does not come to rest",
+                            join(design.free, ", ")));
   report.numbers["unknown"] = design.unknown;
   report.numbers["cost"] = design.cost;
   report.numbers["missing"] = std::move(names);
+  report.numbers["free"] = design.free;
 }
 
 int perform_lqr(const LqrOptions& options) {

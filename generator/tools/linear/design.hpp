@@ -44,6 +44,7 @@ struct LqrDesign {
   double unknown = 0.0;       // of the full regulator's output, what the inputs do not determine
   double cost = 1.0;          // of the full regulator's
   std::vector<MissingState> missing;
+  std::vector<std::string> free;  // states that cost nothing, change no gain, and do not decay
   std::vector<std::string> losing, smoothing;
 };
 /// Least in cost Σ (deviation/tolerable)² + (output/effort)² with white noise of one effort at the

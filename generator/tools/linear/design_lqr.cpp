@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/tools/linear/design.hpp"
@@ -34,6 +35,7 @@ class LqrDesigner {
     reduce_to_what_costs();
     if (!result_.problem.empty()) return std::move(result_);
     make_problem();
+    settle();
     const auto regulator = solve_periodic(problem_);
     if (!regulator) {
       explain();
@@ -141,6 +143,15 @@ class LqrDesigner {
       problem_.push_back(std::move(here));
     }
     effort_ = effort;
+  }
+
+  void settle() {
+    for (const VectorXd& mode : settle_hidden(problem_)) {
+      Index state = 0;
+      mode.cwiseAbs().maxCoeff(&state);
+      const std::string& name = plant_.state[static_cast<std::size_t>(state)];
+      if (std::ranges::find(result_.free, name) == result_.free.end()) result_.free.push_back(name);
+    }
   }
 
   void solve(const PeriodicRegulator& regulator) {
@@ -265,20 +276,72 @@ class LqrDesigner {
     result_.help = "connect a sensor of it, or an Observer or KalmanFilter that estimates it";
   }
 
-  /// Which mode has no solution.
+  /// Which mode has no solution: the one on or outside the unit circle that costs least, or that
+  /// the output moves least (Popov, Belevitch, Hautus).
   void explain() {
+    const Suspect costless = least_costly(), unmoved = least_moved();
+    const bool costs_nothing = costless.share <= unmoved.share;
+    const Suspect& worst = costs_nothing ? costless : unmoved;
+    if (!(worst.share < kOnCircle)) {
+      result_.problem = "there is no regulator to within rounding";
+      result_.help = "choose deviations and efforts that are closer to what moves";
+      return;
+    }
+    result_.problem =
+        fmt::format("there is no regulator: a mode with |z| = {:.6g}, of `{}` above all, {}",
+                    worst.size, plant_.state[static_cast<std::size_t>(worst.state)],
+                    costs_nothing ? "costs nothing" : "does not move with the output");
+    result_.help = costs_nothing
+                       ? "state which deviation of it is tolerable: `--deviation`"
+                       : "close the loop that stabilizes it first, or design a node that moves it";
+  }
+  struct Suspect {
+    double share = std::numeric_limits<double>::infinity();  // of what it could cost, or move
+    double size = 0.0;                                       // |z|
+    Index state = 0;
+  };
+  MatrixXd whole_map() const {
     std::vector<MatrixXd> maps;
     for (const PeriodicPhase& phase : problem_) maps.push_back(phase.cost.a);
-    const Eigen::EigenSolver<MatrixXd> modes(monodromy(maps));
-    Index worst = 0;
-    modes.eigenvalues().cwiseAbs().maxCoeff(&worst);
-    Index state = 0;
-    modes.eigenvectors().col(worst).cwiseAbs().maxCoeff(&state);
-    result_.problem = fmt::format(
-        "there is no regulator: a mode with |z| = {:.6g}, of `{}` above all, either does not move "
-        "with the output, or costs nothing",
-        std::abs(modes.eigenvalues()[worst]), plant_.state[static_cast<std::size_t>(state)]);
-    result_.help = "write what of it is tolerable: `--deviation`";
+    return monodromy(maps);
+  }
+  template <class Share>
+  static Suspect least_of(const MatrixXd& map, Share share) {
+    const Eigen::EigenSolver<MatrixXd> modes(map);
+    Suspect least;
+    for (Index k = 0; k < map.rows(); ++k) {
+      const double size = std::abs(modes.eigenvalues()[k]);
+      if (size < 1.0 - kOnCircle) continue;
+      const double here = share(Eigen::VectorXcd(modes.eigenvectors().col(k)));
+      if (here >= least.share) continue;
+      least = {here, size, 0};
+      modes.eigenvectors().col(k).cwiseAbs().maxCoeff(&least.state);
+    }
+    return least;
+  }
+  Suspect least_costly() const {
+    return least_of(whole_map(), [this](Eigen::VectorXcd x) {
+      double cost = 0.0, most = 0.0;
+      for (const PeriodicPhase& phase : problem_) {
+        cost += (phase.cost.q * x).norm();
+        most += phase.cost.q.norm() * x.norm();
+        x = (phase.cost.a * x).eval();
+      }
+      return most > 0.0 ? cost / most : 0.0;
+    });
+  }
+  /// Of left eigenvectors; the state is the one in which the output would have to be.
+  Suspect least_moved() const {
+    return least_of(whole_map().transpose(), [this](Eigen::VectorXcd x) {
+      double moved = 0.0, most = 0.0;
+      for (std::size_t i = problem_.size(); i-- > 0;) {
+        const LinearQuadratic& here = problem_[i].cost;
+        moved += (here.b.transpose() * x).norm();
+        most += here.b.norm() * x.norm();
+        x = (here.a.transpose() * x).eval();
+      }
+      return most > 0.0 ? moved / most : 0.0;
+    });
   }
 
   NodePlant plant_;

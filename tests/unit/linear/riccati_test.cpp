@@ -222,6 +222,49 @@ TEST(Periodic, IsTheLimitOfTheRecursion) {
   expect_near(found->p[0], p);
 }
 
+/// A mass whose speed costs and is received; its states are 0.9 times the position plus and minus
+/// the speed, so that none of them is the position.
+PeriodicProblem moving_mass(double decay) {
+  MatrixXd map(2, 2), mixed(2, 2);
+  map << 1.0, 0.01, 0.0, decay;
+  mixed << 0.9, 1.0, 0.9, -1.0;
+  const MatrixXd back = mixed.inverse();
+  PeriodicPhase phase;
+  phase.cost.a = mixed * map * back;
+  phase.cost.b = mixed.col(1) * 0.01;
+  phase.c = back.row(1);
+  phase.cost.q = 4.0 * phase.c.transpose() * phase.c;
+  phase.cost.r = one(1.0);
+  phase.cost.s = MatrixXd::Zero(2, 1);
+  return {phase, phase};
+}
+
+TEST(Hidden, APositionThatCostsNothingLeavesTheRegulatorOfTheSpeed) {
+  PeriodicProblem problem = moving_mass(1.0);
+  const MatrixXd hidden = hidden_states(problem);
+  ASSERT_EQ(hidden.cols(), 1);
+  EXPECT_NEAR(std::abs(hidden.col(0).sum()), std::sqrt(2.0), 1e-12);  // along (1, 1)
+  ASSERT_EQ(settle_hidden(problem).size(), 1U);
+  const auto found = solve_periodic(problem);
+  ASSERT_TRUE(found);
+  for (const MatrixXd& gain : found->gain)
+    expect_near(gain, scalar_gain(1.0, 0.01, 4.0, 1.0) * problem.front().c);
+}
+
+TEST(Hidden, NothingIsSettledThatCostsOrIsReceivedOrGrows) {
+  PeriodicProblem problem = moving_mass(1.0);
+  for (PeriodicPhase& phase : problem) phase.c << 1.0, 0.0;
+  EXPECT_TRUE(settle_hidden(problem).empty()) << "received";
+  problem = moving_mass(1.0);
+  problem.back().cost.q += 1e-3 * MatrixXd::Identity(2, 2);
+  EXPECT_TRUE(settle_hidden(problem).empty()) << "costs in one phase";
+  problem = moving_mass(1.0);
+  const MatrixXd before = problem.front().cost.a;
+  for (PeriodicPhase& phase : problem) phase.cost.a *= 1.01;
+  EXPECT_TRUE(settle_hidden(problem).empty()) << "grows";
+  EXPECT_EQ(problem.front().cost.a, 1.01 * before);
+}
+
 TEST(OutputFeedback, SlopeIsThatOfItsCost) {
   PeriodicProblem problem = two_phases();
   for (PeriodicPhase& phase : problem) phase.cost.s = MatrixXd::Constant(2, 1, 0.1);
