@@ -300,11 +300,6 @@ class LqrDesigner {
     double size = 0.0;                                       // |z|
     Index state = 0;
   };
-  MatrixXd whole_map() const {
-    std::vector<MatrixXd> maps;
-    for (const PeriodicPhase& phase : problem_) maps.push_back(phase.cost.a);
-    return monodromy(maps);
-  }
   template <class Share>
   static Suspect least_of(const MatrixXd& map, Share share) {
     const Eigen::EigenSolver<MatrixXd> modes(map);
@@ -320,7 +315,7 @@ class LqrDesigner {
     return least;
   }
   Suspect least_costly() const {
-    return least_of(whole_map(), [this](Eigen::VectorXcd x) {
+    return least_of(map_of(problem_), [this](Eigen::VectorXcd x) {
       double cost = 0.0, most = 0.0;
       for (const PeriodicPhase& phase : problem_) {
         cost += (phase.cost.q * x).norm();
@@ -332,7 +327,7 @@ class LqrDesigner {
   }
   /// Of left eigenvectors; the state is the one in which the output would have to be.
   Suspect least_moved() const {
-    return least_of(whole_map().transpose(), [this](Eigen::VectorXcd x) {
+    return least_of(map_of(problem_).transpose(), [this](Eigen::VectorXcd x) {
       double moved = 0.0, most = 0.0;
       for (std::size_t i = problem_.size(); i-- > 0;) {
         const LinearQuadratic& here = problem_[i].cost;

@@ -80,12 +80,6 @@ MatrixXd seen_from_first(const PeriodicProblem& problem) {
   return rows;
 }
 
-MatrixXd map_of(const PeriodicProblem& problem) {
-  std::vector<MatrixXd> maps;
-  for (const PeriodicPhase& phase : problem) maps.push_back(phase.cost.a);
-  return monodromy(maps);
-}
-
 /// What the recursions of the cost and of the covariance come to after a hyperperiod.
 struct Closed {
   std::vector<MatrixXd> maps;  // of the phases
@@ -176,6 +170,12 @@ class Descent {
 };
 
 }  // namespace
+
+MatrixXd map_of(const PeriodicProblem& problem) {
+  std::vector<MatrixXd> maps;
+  for (const PeriodicPhase& phase : problem) maps.push_back(phase.cost.a);
+  return monodromy(maps);
+}
 
 std::optional<PeriodicRegulator> solve_periodic(const PeriodicProblem& problem) {
   const auto whole = solve_riccati(lifted(problem));

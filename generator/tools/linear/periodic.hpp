@@ -18,6 +18,9 @@ using PeriodicProblem = std::vector<PeriodicPhase>;
 /// A mode this close to the unit circle neither grows nor decays: of |z| from 1, as for margins.
 inline constexpr double kOnCircle = 1e-6;
 
+/// Of the state, over all phases without an input.
+Eigen::MatrixXd map_of(const PeriodicProblem& problem);
+
 /// The regulator of the whole state: a gain and a cost x'·P·x for each phase, before it.
 struct PeriodicRegulator {
   std::vector<Eigen::MatrixXd> p, gain;

@@ -88,7 +88,7 @@
 #include <models/processors/to_vector/to_vector.hpp>
 #include <models/processors/voltage_to_motor_torque/voltage_to_motor_torque.hpp>
 
-#include "tests/unit/models/block_io.hpp"
+#include "tests/unit/models/dynamic_block_io.hpp"
 #include "tests/unit/models/entity_io.hpp"
 #include "tests/unit/models/gym_io.hpp"
 #include "tests/unit/models/safety_io.hpp"

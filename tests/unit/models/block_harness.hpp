@@ -12,8 +12,8 @@
 #include <tuple>
 #include <vector>
 
-#include "tests/unit/models/block_io.hpp"
 #include "tests/unit/models/csv.hpp"
+#include "tests/unit/models/dynamic_block_io.hpp"
 
 namespace eagerx::models::testing::blocks {
 

@@ -81,7 +81,7 @@ compile "$(cast 'static constexpr bool dual_numbers = false;')"
 compile "$(cast 'template <class P, class U> static Array<Real, 1, 1> jacobian(P, U, Array<Real, 1>) { return {{Real(0)}}; }')"
 # refuse_block WORDS BLOCK IO CONFIG: a block with another configuration than that of its Io.
 refuse_block() {
-  local header among='"tests/unit/models/block_io.hpp"'
+  local header among='"tests/unit/models/dynamic_block_io.hpp"'
   header=$(sed 's/\([a-z]\)\([A-Z2]\)/\1_\2/g' <<<"$2" | tr '[:upper:]' '[:lower:]')
   among+=$'\n'"#include <models/nodes/$header/$header.hpp>"
   refuse "$1" "struct Wrong : blocks::$3 { struct Config : blocks::$3::Config { $4 }; };
