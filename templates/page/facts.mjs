@@ -49,8 +49,8 @@ function randomTable() {
   const rows = [];
   for (const [item, selected] of
            [...data.objects.map((object, i) => [object, {object: i}]), ...nodes.map((node, i) => [node, {node: i}])])
-    for (const drawn of item.states)
-      rows.push({what: `${item.name}.${drawn.name}`, space: drawn.space, random: drawn.random, selected});
+    for (const state of item.states)
+      rows.push({what: `${item.name}.${state.name}`, space: state.space, random: state.random, selected});
   for (const node of nodes)
     for (const input of node.inputs)
       if (input.random_delay)
@@ -66,7 +66,7 @@ function randomTable() {
       table(
           [
             {name: "state or delay", cell: (row) => breakable(row.what)},
-            {name: "drawn", cell: (row) => randomText(row.random)},
+            {name: "sampled from", cell: (row) => randomText(row.random)},
             {name: "space", cell: (row) => (row.space ? row.space.text : "")},
             {name: "bounds", cell: (row) => (row.space ? bounds(row.space) : "")},
           ],

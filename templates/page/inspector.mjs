@@ -67,7 +67,7 @@ function statesTable(states) {
     table(
         [
           {name: "name", cell: (item) => breakable(item.name)},
-          {name: "drawn", cell: (item) => randomText(item.random)},
+          {name: "sampled from", cell: (item) => randomText(item.random)},
         ],
         states)
   ];
@@ -223,8 +223,8 @@ function showInput(n, i) {
       ["rates", `${source.rate} Hz → ${nodes[n].rate} Hz`], ["received", ratioText(input.hop)],
       ["window", input.window === 0 ? "all new messages" : input.window],
       ["delay", input.delay.seconds ? `${input.delay.exact} s` : null],
-      ["longest delay", input.longest_delay ? `${input.longest_delay.exact} s` : null], ["drawn", random],
-      ["skip", input.skip ? "reads the message before: this breaks a circle" : null],
+      ["longest delay", input.longest_delay ? `${input.longest_delay.exact} s` : null], ["sampled from", random],
+      ["skip", input.skip ? "reads the previous message, which cuts a loop" : null],
       ["processor", input.processor ? input.processor.type : null], ["space", input.space.text],
       ["bounds", bounds(input.space)]
     ]),

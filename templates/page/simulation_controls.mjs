@@ -88,7 +88,7 @@ export class ActionControls {
 }
 
 /**
-   States, parameters and delays of the next episodes: drawn, or fixed where the box is ticked. Tunable parameters are
+   States, parameters and delays of the next episodes: sampled, or fixed where the box is ticked. Tunable parameters are
    set at once, too: `step()` is the step before which, or null if no episode runs.
  */
 export class StateControls {
@@ -127,7 +127,7 @@ export class StateControls {
         null;
   }
 
-  /** NaN: drawn again. */
+  /** NaN: sampled again. */
   set(row, value) {
     this.simulation.settings[row.at] = value;
     const step = this.step();

@@ -185,9 +185,9 @@ class PartRun {
 template <class Hub, class... Parts>
 class SplitRun {
  public:
-  /// `ahead`: not in lockstep; `looks`: at what the agent sees and gives, after each step.
-  static Result run(const target::RunPlan& plan, bool ahead, bool looks) {
-    return SplitRun().run_parts(plan, ahead, looks, std::index_sequence_for<Parts...>());
+  /// `pipelined`: not in lockstep; `looks`: at what the agent sees and gives, after each step.
+  static Result run(const target::RunPlan& plan, bool pipelined, bool looks) {
+    return SplitRun().run_parts(plan, pipelined, looks, std::index_sequence_for<Parts...>());
   }
 
  private:
@@ -195,10 +195,10 @@ class SplitRun {
   static_assert(Star::kParts == sizeof...(Parts));
 
   template <std::size_t... K>
-  Result run_parts(const target::RunPlan& plan, bool ahead, bool looks,
+  Result run_parts(const target::RunPlan& plan, bool pipelined, bool looks,
                    std::index_sequence<K...> /*parts*/) {
     const std::tuple<PartRun<Parts>...> parts(lines_[K]...);
-    star_.set_pipelined(ahead);
+    star_.set_pipelined(pipelined);
     ((star_.template link<K>().port.line = &lines_[K]), ...);
     const bool open =
         (star_.template link<K>().open({Parts::Link::kGraph, target::kRuntimeVersion}, K + 1) &&
@@ -240,10 +240,10 @@ int compare(const char* name, const target::RunPlan& plan) {
   || !Hub::Link::kPartDecides;
   int different = 0;
   std::size_t most = 0;
-  for (const auto& [what, ahead, looks] :
-       {std::tuple("in lockstep", false, true), std::tuple("ahead", true, false),
-        std::tuple("ahead, looked at", true, true)}) {
-    const Result split = SplitRun<Hub, Parts...>::run(plan, ahead, looks);
+  for (const auto& [what, pipelined, looks] :
+       {std::tuple("in lockstep", false, true), std::tuple("pipelined", true, false),
+        std::tuple("pipelined, looked at", true, true)}) {
+    const Result split = SplitRun<Hub, Parts...>::run(plan, pipelined, looks);
     most = std::max(most, split.most_on_way);
     const char* const problem = !split.is_whole                    ? "a link is over"
                                 : split.messages != whole.messages ? "other messages"

@@ -117,8 +117,8 @@ def cost_of(commands):
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-class Way:
-    """What goes one way: greetings of known sizes, then records."""
+class Direction:
+    """One direction of a connection: greetings of known sizes, then records."""
 
     def __init__(self, source, target, greetings, attack):
         self.source, self.target, self.greetings, self.attack = source, target, list(greetings), attack
@@ -168,8 +168,8 @@ class Between:
     def stand(self, port, to_part, to_hub):
         hub, _ = self.server.accept()
         part = socket.create_connection(("127.0.0.1", port))
-        self.there = Way(hub, part, (HELLO, PROOF), to_part)
-        self.back = Way(part, hub, (ANSWER,), to_hub)
+        self.there = Direction(hub, part, (HELLO, PROOF), to_part)
+        self.back = Direction(part, hub, (ANSWER,), to_hub)
         self.there.other, self.back.other = self.back, self.there
         self.back.thread.start()
         self.there.thread.start()
