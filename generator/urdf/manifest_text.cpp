@@ -60,7 +60,7 @@ class Manifest {
     for (const Shape& shape : robot_.shapes) {
       if (!shape.body.empty()) add_contact(shape.name);
     }
-    if (!robot_.facets.empty()) add_scene();
+    if (!robot_.bodies.empty()) add_scene();
     if (robot_.ground)
       state("ground_friction", "{dtype: float32, shape: [], low: 0.2, high: 1.0}",
             "factor on the friction of everything that touches the ground",
@@ -294,28 +294,58 @@ description: |
     configured("geometry: " + gen::yaml_text(shape));
   }
 
+  /// The corners of a box around everything that is drawn, in the initial position [m].
+  std::pair<Vector3, Vector3> extent() const {
+    Vector3 low{}, high{};
+    bool is_first = true;
+    const auto add = [&](const Vector3& middle, double radius) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        low[i] = is_first ? middle[i] - radius : std::min(low[i], middle[i] - radius);
+        high[i] = is_first ? middle[i] + radius : std::max(high[i], middle[i] + radius);
+      }
+      is_first = false;
+    };
+    const auto in_world = [&](const std::string& name, const Vector3& at) {
+      const auto body = std::ranges::find(robot_.bodies, name, &Body::name);
+      return body != robot_.bodies.end() ? body->position + at : at;
+    };
+    for (const Facet& facet : robot_.facets) {
+      for (const Vector3& corner : facet.corners) add(in_world(facet.body, corner), 0.0);
+    }
+    for (const Shape& shape : robot_.shapes) {
+      if (shape.kind != models::ShapeKind::plane)
+        add(in_world(shape.body, shape.position), radius_of(shape));
+    }
+    for (const BodyJoint& joint : joints_) add(joint.anchor, 0.0);
+    for (const Body& body : robot_.bodies) {
+      if (!body.is_made) add(body.position, 0.0);
+    }
+    return {low, high};
+  }
+  /// Of a sphere around a shape [m].
+  static double radius_of(const Shape& shape) {
+    const Vector3& size = shape.size;
+    switch (shape.kind) {
+      case models::ShapeKind::box:
+        return 0.5 * std::sqrt(dot(size, size));
+      case models::ShapeKind::capsule:
+      case models::ShapeKind::cylinder:
+        return size[0] + 0.5 * size[1];
+      default:
+        return size[0];
+    }
+  }
+
   /// A drawing from the front, the right and above, so that all of the robot is in it.
   void add_scene() {
     const std::size_t rows = std::min<std::size_t>(2 + robot_.facets.size() + robot_.shapes.size() +
                                                        robot_.joints.size() + robot_.bodies.size(),
                                                    kMostRows);
     const auto free = std::ranges::find_if(robot_.bodies, &Body::is_free);
-    Vector3 low{}, high{};
-    bool is_first = true;
-    for (const Facet& facet : robot_.facets) {
-      const auto body = std::ranges::find(robot_.bodies, facet.body, &Body::name);
-      for (const Vector3& corner : facet.corners) {
-        const Vector3 p = body != robot_.bodies.end() ? body->position + corner : corner;
-        for (std::size_t i = 0; i < 3; ++i) {
-          low[i] = is_first ? p[i] : std::min(low[i], p[i]);
-          high[i] = is_first ? p[i] : std::max(high[i], p[i]);
-        }
-        is_first = false;
-      }
-    }
+    const auto [low, high] = extent();
     Vector3 target = 0.5 * (low + high);
     const Vector3 across = high - low;
-    const double distance = 1.6 * std::sqrt(dot(across, across));
+    const double distance = std::max(0.2, 1.6 * std::sqrt(dot(across, across)));
     std::string follow;
     if (free != robot_.bodies.end()) {
       follow = fmt::format(", follow: {}", gen::yaml_text(free->name));
