@@ -1,4 +1,4 @@
-// Meshes of collisions as the shapes that are simulated.
+// Converts collision meshes into shapes to simulate.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Sections of MJCF about a robot as a whole.
+// Sections of MJCF that apply to the whole robot.
 #pragma once
 
 #include "generator/urdf/mjcf_frames.hpp"

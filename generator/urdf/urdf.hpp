@@ -1,4 +1,4 @@
-// A robot as its URDF or MJCF file describes it, typed.
+// The typed contents of a robot's URDF or MJCF file.
 #pragma once
 
 #include <limits>

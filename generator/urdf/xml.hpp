@@ -1,4 +1,4 @@
-// XML with places, and strict about what is written.
+// A strict XML reader whose elements know their places.
 #pragma once
 
 #include <cstddef>

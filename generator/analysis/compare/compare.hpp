@@ -1,5 +1,5 @@
-// Two graphs compared by what they mean: nodes, connections, rates, spaces, ages. The order, the
-// layout and the names of files do not matter, nor whether a value is written or a default.
+// Compares two graphs by meaning: nodes, connections, rates, spaces, ages. Order, layout and file
+// names do not matter, nor does it matter whether a value is written or a default.
 #pragma once
 
 #include <map>

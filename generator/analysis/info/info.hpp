@@ -1,4 +1,4 @@
-// What a plan says of time, memory and traffic before anything is compiled; budgets of it.
+// Time, memory and traffic of a plan before anything is compiled, and their budgets.
 #pragma once
 
 #include <string>

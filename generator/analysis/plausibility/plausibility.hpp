@@ -1,4 +1,5 @@
-// What a graph says that is allowed and hardly meant: warnings, and errors where it cannot work.
+// Checks for valid graphs that are probably not what the author meant: warnings, and errors for
+// graphs that cannot work.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Plan to files. Nothing here has heard of YAML.
+// Turns a plan into files. Nothing here depends on YAML.
 #pragma once
 
 #include <cstdint>

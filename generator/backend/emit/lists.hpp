@@ -1,4 +1,4 @@
-// Lists in columns, as clang-format 14 writes those that are too long for a line.
+// Lists in columns, as clang-format 14 lays out lists that are too long for a line.
 #pragma once
 
 #include <string>

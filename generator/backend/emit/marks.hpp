@@ -1,4 +1,4 @@
-// Marks that templates leave in a text to say which of its lines are whose.
+// Marks in a rendered template that assign its lines to nodes.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Mustache, with its silent failures made loud.
+// Mustache whose silent failures are errors.
 #pragma once
 
 #include <kainjow/mustache.hpp>

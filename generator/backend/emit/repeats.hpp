@@ -1,4 +1,4 @@
-// Chains of nodes that are equal but for what they are connected to, one after the other: one loop.
+// Consecutive chains of nodes that differ only in their connections become one loop.
 #pragma once
 
 #include <cstddef>

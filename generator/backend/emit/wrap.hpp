@@ -1,4 +1,4 @@
-// Lines of generated C++ as a person would break them.
+// Breaks lines of generated C++ as a person would.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// A part of a placed graph as programs in other languages than C++ need it: its messages, the order
-// on its line, its nodes and when they run.
+// Layout of a part of a placed graph for programs in languages other than C++: its messages, their
+// order on the line, its nodes and when they run.
 #pragma once
 
 #include <cstdint>

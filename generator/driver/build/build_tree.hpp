@@ -1,4 +1,4 @@
-// Generated trees: how each is configured, and the build of one.
+// Configures and builds generated trees.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// From a graph to programs that are built.
+// Builds the programs of a graph.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A folder whose files are read, written and removed without ever leaving it.
+// A folder whose files are read, written and removed without following a path out of it.
 #pragma once
 
 #include <cerrno>

@@ -1,4 +1,4 @@
-// How far something is that takes long.
+// Progress of a long operation.
 #pragma once
 
 #include <chrono>

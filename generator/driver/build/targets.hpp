@@ -1,4 +1,4 @@
-// The targets that a graph is made for, and whether it can be.
+// The targets of a graph, and whether it can run on them.
 #pragma once
 
 #include <cstdint>

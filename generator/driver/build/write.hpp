@@ -1,4 +1,4 @@
-// Generated files on disk: all or nothing, and untouched where nothing changed.
+// Writes generated files to disk: all or none of them, and only those that changed.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Everything that is wrong with a graph besides its own text.
+// Problems of a graph that are not in its own text.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Whether an image is within its graph's `budget:`.
+// Checks an image against its graph's `budget:`.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The time of an image: the bound of its cycles on its board, against the rates of its graph.
+// Compares the bound of an image's cycles on its board with the rates of its graph.
 #pragma once
 
 #include <optional>

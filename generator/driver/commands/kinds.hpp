@@ -1,4 +1,4 @@
-// Kinds of `eagerx-gen new`: one folder of templates a kind, in templates/new.
+// Kinds of `eagerx-gen new`: each has a folder of templates in templates/new.
 #pragma once
 
 #include <optional>

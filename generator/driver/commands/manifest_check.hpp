@@ -1,4 +1,4 @@
-// All that can be found wrong with a manifest without a graph of its author's.
+// Finds problems of a manifest without a graph that uses it.
 #pragma once
 
 #include "generator/driver/pipeline/pipeline.hpp"

@@ -1,4 +1,4 @@
-// Whether the loops of a graph have the stability margins of its `budget:`.
+// Checks the stability margins of a graph's loops against its `budget:`.
 #pragma once
 
 #include "generator/driver/pipeline/pipeline.hpp"

@@ -1,5 +1,5 @@
-// Where files say the settings of a training: the trainer knows which of them do not go together,
-// but no files.
+// Places of a training's settings in files: the trainer finds settings that do not go together, but
+// does not know the files.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The file of `eagerx-gen train --settings`, by the table that the trainer has, too.
+// The file of `eagerx-gen train --settings`, read by the table that the trainer uses, too.
 #pragma once
 
 #include <optional>

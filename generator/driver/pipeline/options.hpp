@@ -1,5 +1,5 @@
-// Options of several commands of eagerx-gen. A command's own options are a struct in its own file,
-// derived from that of these which it needs.
+// Options that several commands of eagerx-gen share. A command's own options are a struct in its
+// own file, derived from the struct here that it needs.
 #pragma once
 
 #include <cstdint>

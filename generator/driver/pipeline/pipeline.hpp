@@ -1,4 +1,4 @@
-// The way from a graph file to a plan, with everything that was read on the way.
+// The steps from a graph file to a plan, with everything that they read.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// One element of an array: `$(index)`, and of each `{each: […]}` the value that is its.
+// One element of an array: `$(index)`, and its value of each `{each: […]}`.
 #pragma once
 
 #include <optional>

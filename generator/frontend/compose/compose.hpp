@@ -1,6 +1,5 @@
-// Graphs made of graphs: arrays and composites of a graph file become the entities and connections
-// that they stand for. What comes out is a graph file as one could have written it, whose spans say
-// where everything is written and who used it.
+// Graphs made of graphs: expands arrays and composites of a graph file into entities and
+// connections. The result is a flat graph file; its spans say where everything is written and used.
 #pragma once
 
 #include "generator/frontend/compose/port_bindings.hpp"

@@ -1,4 +1,4 @@
-// A graph tree as the text of a graph file, with the place that every line is from.
+// A graph tree as the text of a graph file, with the source of every line.
 #pragma once
 
 #include <string>

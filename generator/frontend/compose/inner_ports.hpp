@@ -1,4 +1,4 @@
-// Which ports there are in what is being made flat, by the full names of their owners.
+// The ports of a graph that is being flattened, by the full names of their owners.
 #pragma once
 
 #include <map>

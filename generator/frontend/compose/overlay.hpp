@@ -1,4 +1,4 @@
-// A graph over another one: what it says comes first, what it removes goes.
+// Overlays one graph on another: its values take precedence, and it can remove entries.
 #pragma once
 
 #include "generator/frontend/read/tree.hpp"

@@ -1,4 +1,4 @@
-// A graph that is being made flat, and what is said of it from outside.
+// A graph that is being flattened, with the settings from outside.
 #pragma once
 
 #include <map>

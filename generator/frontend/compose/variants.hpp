@@ -1,4 +1,4 @@
-// One robot, several graphs: `extends: FILE` and `variants:` are laid over each other, key by key.
+// One robot, several graphs: overlays `extends: FILE` and `variants:` key by key.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Our entities for EAGERx's, found through their manifests, with their parameters.
+// Maps EAGERx's entities and their parameters to ours, through the manifests.
 #pragma once
 
 #include <map>

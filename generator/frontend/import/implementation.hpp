@@ -1,4 +1,4 @@
-// How the engine of a saved file makes an object, as the `engines:` of a manifest.
+// Implementation of an object on the engine of a saved file, as the `engines:` of a manifest.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Which sensor or actuator an engine node of a flattened file stands for: EAGERx does not write it.
+// Finds the sensor or actuator of each engine node in a flattened file: EAGERx does not write it.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
-// The outline of a YAML file while it is being written: keys, values, and where they are. Where
-// read/ refuses a file, this continues with the lines that are whole.
+// The outline of a YAML file that is being edited: keys, values, and their places. It continues
+// with the complete lines of a file that read/ rejects.
 #pragma once
 
 #include <cstddef>

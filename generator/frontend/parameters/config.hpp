@@ -1,4 +1,5 @@
-// Parameters against their manifest, and the `$(…)` that manifests may write instead of a number.
+// Checks parameters against their manifest, and resolves the `$(…)` that manifests may write
+// instead of numbers.
 #pragma once
 
 #include <cstdint>

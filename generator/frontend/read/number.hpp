@@ -1,5 +1,5 @@
-// The number that a value is: what its text means, or, where it was computed, the number itself,
-// which goes through no text.
+// The number of a value: read from its text or, if it was computed, the number itself without a
+// detour through text.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// YAML text as a tree in which everything knows its place. Nothing outside read/ sees yaml-cpp.
+// YAML text as a tree whose nodes know their places. Nothing outside read/ sees yaml-cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Builds the tree from yaml-cpp's events, checking everything that yaml-cpp lets pass.
+// Builds the tree from yaml-cpp's events, and checks everything that yaml-cpp accepts.
 #pragma once
 
 #include <yaml-cpp/eventhandler.h>

@@ -1,4 +1,4 @@
-// yaml-cpp's messages in the words of users who write graphs.
+// Rewords yaml-cpp's messages for users who write graphs.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Words of other libraries and languages, and the ones that mean the same here.
+// Words of other libraries and languages, and their equivalents here.
 #pragma once
 
 #include <string>

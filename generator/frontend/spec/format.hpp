@@ -1,5 +1,5 @@
-// The table that says what a file may contain. One table checks the file, explains it, and becomes
-// the JSON schema that editors complete from.
+// The table of a file's valid contents. The same table checks the file, explains it, and becomes
+// the JSON schema for editors.
 #pragma once
 
 #include <cstdint>

@@ -69,10 +69,10 @@ struct ConnectionSettings {
 /// `base` with everything that `over` says.
 ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& over);
 
-// What settings mean, with the default of what is not said.
-/// 1 if nothing is said; nullopt if it is a reference.
+// Values of settings, or their defaults.
+/// 1 if not set; nullopt for a reference.
 std::optional<std::uint32_t> window_of(const ConnectionSettings& settings);
-/// In seconds, 0 if nothing is said; nullopt if it is a reference.
+/// In seconds; 0 if not set; nullopt for a reference.
 std::optional<Rational> delay_of(const ConnectionSettings& settings);
 bool skips(const ConnectionSettings& settings);
 

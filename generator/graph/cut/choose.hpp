@@ -1,4 +1,4 @@
-// Which nodes are cut out, and what is said of them.
+// Chooses the nodes to cut out, and describes them.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// Some nodes of a graph as a graph of their own, for a main loop that brings what they measure.
+// Cuts some nodes out of a graph as a separate graph, for a main loop that supplies their
+// measurements.
 #pragma once
 
 #include <optional>

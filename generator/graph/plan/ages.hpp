@@ -1,5 +1,4 @@
-// How old the data of a sensor are when they reach an actuator, or those of an action in an
-// observation.
+// Age of sensor data at an actuator, and of an action in an observation.
 #pragma once
 
 #include <optional>

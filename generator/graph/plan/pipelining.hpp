@@ -1,4 +1,4 @@
-// How far the hub of a placed graph may continue while a part calculates.
+// How far the hub of a placed graph may run ahead while a part calculates.
 #pragma once
 
 #include "generator/graph/plan/plan.hpp"

@@ -1,4 +1,4 @@
-// The graph in time and memory: who runs when, in what order, and where every message lives.
+// The graph in time and memory: when and in what order nodes run, and where messages are stored.
 #pragma once
 
 #include <cstdint>

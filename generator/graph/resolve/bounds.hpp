@@ -1,4 +1,4 @@
-// Bounds of spaces, and how they are looked up.
+// Bounds of spaces, and their lookup.
 #pragma once
 
 #include <cstddef>

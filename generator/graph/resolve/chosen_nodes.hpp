@@ -1,4 +1,4 @@
-// Nodes as `placement:`, `--split` and `--of` call them.
+// Nodes as `placement:`, `--split` and `--of` name them.
 #pragma once
 
 #include <cstdint>

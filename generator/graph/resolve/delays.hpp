@@ -1,4 +1,4 @@
-// Delays of connections: as written, sampled at a reset, or changed by it up to a longest one.
+// Delays of connections: constant, sampled at a reset, or changed by a reset up to a maximum.
 #pragma once
 
 #include "generator/graph/resolve/unresolved_graph.hpp"

@@ -1,4 +1,4 @@
-// Spaces as far as they are written, until dtype and shape are known.
+// Incomplete spaces, until dtype and shape are known.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Which program a node runs in.
+// Assigns each node to a program.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Ports of nodes and objects, from their manifests and from what a graph says of them.
+// Ports of nodes and objects, from their manifests and their settings in the graph.
 #pragma once
 
 #include <string>

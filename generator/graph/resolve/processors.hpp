@@ -1,4 +1,4 @@
-// Processors: what they take must arrive, what they give is the receiver's space.
+// Processors: checks their input space, and gives the receiver their output space.
 #pragma once
 
 #include <optional>

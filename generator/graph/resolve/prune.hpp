@@ -1,4 +1,4 @@
-// Which engine nodes of an object are needed.
+// Finds the engine nodes of an object that are needed.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Reset nodes, and what can run during a reset.
+// Reset nodes, and the nodes that can run during a reset.
 #pragma once
 
 #include "generator/graph/resolve/unresolved_graph.hpp"

@@ -1,4 +1,4 @@
-// Names at the beginning of connections' ends that nothing in the graph has.
+// Unknown owners in the ends of connections.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// The graph while it is being resolved: ports are known, spaces and connections not yet all.
+// The graph while it is being resolved: all ports are known, but not yet all spaces and
+// connections.
 #pragma once
 
 #include <deque>

@@ -1,4 +1,4 @@
-// The world that a policy was trained in, as far as its file tells of it, against the graph.
+// Compares the world that a policy was trained in, as far as its file describes it, with the graph.
 #pragma once
 
 #include "generator/policy/agent/use.hpp"

@@ -1,4 +1,4 @@
-// Files with weights to networks, whatever their format.
+// Reads networks from weight files of every format.
 #pragma once
 
 #include <optional>

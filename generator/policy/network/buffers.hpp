@@ -1,4 +1,4 @@
-// Where the results of layers lie while a network answers: which of them share their memory.
+// Buffers for the results of layers, and which results share memory.
 #pragma once
 
 #include <cstddef>

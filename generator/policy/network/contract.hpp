@@ -1,5 +1,4 @@
-// The world that a policy was trained in: what it observed, how that was normalised, and what its
-// outputs were.
+// The world that a policy was trained in: its observations, their normalization, and its outputs.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// How far the answers of two policies are apart, and in which layers.
+// Differences between the answers of two policies, layer by layer.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Types of a tensor's elements, what file formats call them, and how they lie in files.
+// Types of a tensor's elements, with their names and layouts in file formats.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Golden rows: observations whose answers are known, and how well a network gives them.
+// Golden rows: observations with known answers, and how closely a network reproduces them.
 #pragma once
 
 #include <cstddef>

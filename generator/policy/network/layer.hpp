@@ -1,4 +1,4 @@
-// One layer of a network: what it does to its input, and with which weights.
+// One layer of a network: its operation and its weights.
 #pragma once
 
 #include <cstddef>

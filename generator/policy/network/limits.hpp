@@ -1,5 +1,5 @@
-// The largest files and networks that are read. What is larger is refused before it takes memory
-// or time.
+// The largest files and networks that are read. Larger ones are rejected before they take memory or
+// time.
 #pragma once
 
 #include <cstddef>

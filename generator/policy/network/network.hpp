@@ -1,4 +1,4 @@
-// A trained policy as plain data: what a weight file holds once it was read and checked.
+// A trained policy as plain data: the contents of a weight file, checked.
 #pragma once
 
 #include <algorithm>

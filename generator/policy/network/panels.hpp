@@ -1,4 +1,4 @@
-// How weights of dense layers are stored: in panels of outputs that are computed side by side.
+// Storage of dense weights: panels of outputs that are computed side by side.
 #pragma once
 
 #include <cstddef>

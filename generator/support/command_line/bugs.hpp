@@ -1,4 +1,4 @@
-// Reports a bug of eagerx-gen as one, however it ends the program.
+// Reports bugs of eagerx-gen as such, however they end the program.
 #pragma once
 
 #include <functional>

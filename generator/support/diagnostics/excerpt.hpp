@@ -1,4 +1,4 @@
-// The one line of a file that a message shows, made fit for a terminal.
+// The line of a file that a message shows, made safe for a terminal.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Changes of a text that fix a problem, raised where the problem is found. frontend/outline decides
-// how to lay them out, because it sees the text.
+// Changes of a text that fix a problem, created where the problem is found. frontend/outline lays
+// them out, because it has the text.
 #pragma once
 
 #include <cstdint>

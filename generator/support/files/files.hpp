@@ -1,6 +1,6 @@
-// Which files a run reads and which it is to write, so that no output ever takes the place of an
-// input or of another output. What reads a file says so here, the table of commands says what is
-// written, and cli/write, the only place where outputs are opened, asks before it opens one.
+// Registers the files that a run reads and writes, so that no output ever overwrites an input or
+// another output. Readers register inputs here, the table of commands registers outputs, and
+// driver/build/write, the only place that opens outputs, checks before it opens one.
 //
 // One list for the process: a command line is one run, and a reader far from the commands cannot
 // be forgotten by a new one.

@@ -1,4 +1,4 @@
-// Paths that are no longer relative.
+// Absolute paths.
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
-// Texts that somebody has in an editor and has not saved: what reads a file reads these instead.
+// Unsaved texts of an editor, which readers use instead of the files.
 //
 // One list for the process, like that of inputs and outputs: a reader far from the commands cannot
-// be forgotten by the one that has an editor.
+// be forgotten by the code that has an editor.
 #pragma once
 
 #include <optional>

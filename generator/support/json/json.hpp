@@ -1,4 +1,4 @@
-// JSON as a value of our own, read and written: json.cpp alone includes nlohmann's headers, which
+// Reads and writes JSON as a type of this project. Only json.cpp includes nlohmann's headers, which
 // take longer to compile than most stages.
 #pragma once
 

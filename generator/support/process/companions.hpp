@@ -1,4 +1,4 @@
-// Programs that run together with this one: a hub's parts.
+// Programs that run alongside this one: a hub's parts.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Other programs: compilers, CMake, and those that read what these make.
+// Other programs: compilers, CMake, and tools that read their output.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Values in texts of templates: what a value becomes depends on where in the language it stands.
+// Values in templates: their quoting depends on their place in the language.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Foreign text as a part of a language: one function a language, and no other way.
+// Quotes foreign text for a language: one function for each language, and no other way.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The loop opened at a port: its margins, and the ages of data in it.
+// A loop opened at a port: its margins, and the ages of its data.
 #pragma once
 
 #include <optional>

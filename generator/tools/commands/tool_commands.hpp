@@ -1,5 +1,5 @@
-// The commands that people and editors use besides the main job. Each is in the file of its name,
-// but for `fix` and `rename` (edit.cpp) and `plot` (trace.cpp).
+// The commands of eagerx-gen-tools. Each has a file of its name, except `fix` and `rename`
+// (edit.cpp) and `plot` (trace.cpp).
 #pragma once
 
 #include "generator/support/command_line/command_line.hpp"

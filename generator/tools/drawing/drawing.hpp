@@ -1,4 +1,4 @@
-// A graph as boxes with ports and wires between them, before anything has a place on paper.
+// A graph as boxes with ports and wires, before layout.
 #pragma once
 
 #include <cstddef>

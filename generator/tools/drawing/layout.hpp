@@ -1,4 +1,4 @@
-// Places on paper for a drawing: layers from left to right, few crossings, short wires.
+// Layout of a drawing: layers from left to right, few crossings, short wires.
 //
 // After Sugiyama, Tagawa, Toda, "Methods for visual understanding of hierarchical system
 // structures" (1981): break circles, choose layers, order within layers, then places. All places

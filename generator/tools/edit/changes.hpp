@@ -1,4 +1,4 @@
-// Shared parts of changes of a graph's structure. Inside edit/ only.
+// Helpers for changes of a graph's structure. Inside edit/ only.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Changes of a graph's text: splices with a reason. What is not touched stays as somebody wrote it.
+// Changes of a graph's text: splices with a reason. The rest stays as it was written.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
-// Changes of what a graph is made of: objects, nodes, connections, their keys. Each is a splice;
-// comments, order, indentation and line ends of everything else stay as somebody wrote them. They
-// work on a file that is half written, and are refused where they would not do what they say.
+// Changes of a graph's structure: objects, nodes, connections, their keys. Each is a splice that
+// leaves comments, order, indentation and line ends of everything else alone. Changes work on
+// incomplete files, and are rejected if they would not have the intended effect.
 #pragma once
 
 #include <optional>

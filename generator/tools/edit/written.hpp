@@ -1,4 +1,4 @@
-// A text of YAML with its outline, and how it is laid out. Inside edit/ only.
+// A YAML text with its outline and layout. Inside edit/ only.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Facts about a graph beyond its text: rates, spaces, delays, ages. Of the last text that had
-// no error, by names, so that it still serves while somebody types.
+// Facts about a graph beyond its text: rates, spaces, delays, ages. They come from the last text
+// without errors and are found by name, so that they stay available during typing.
 #pragma once
 
 #include <map>

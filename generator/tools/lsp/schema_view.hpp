@@ -1,5 +1,5 @@
-// The view of a JSON schema (draft-07, as `eagerx-gen schema` writes it) at a place in a file that
-// may be half written.
+// The part of a JSON schema (draft-07, as `eagerx-gen schema` writes it) that applies at a place in
+// a possibly incomplete file.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The language server of graph files: requests of an editor, and the answers.
+// The language server of graph files: requests of an editor and their answers.
 #pragma once
 
 #include <map>
@@ -98,7 +98,7 @@ class Server {
   std::map<std::string, Document, std::less<>> documents_;  // by URI
   std::vector<std::string> answers_;
   bool initialized_ = false, shut_down_ = false, ended_ = false;
-  // What the editor can do:
+  // Capabilities of the editor:
   bool takes_snippets_ = false, watches_ = false, watches_folders_ = false, refreshes_ = false;
   int asked_ = 0;  // requests to the editor
 };

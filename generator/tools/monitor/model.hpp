@@ -1,4 +1,4 @@
-// The state of a stream: all that a screen or a script is shown. Nothing here has a clock, a
+// The state of a stream: everything that a screen or a script shows. Nothing here uses a clock, a
 // socket or a terminal.
 #pragma once
 

@@ -1,4 +1,4 @@
-// How often something comes.
+// Measures the rate of events.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Files that grow while a stream continues: a reader, or a user who kills the monitor, has
-// everything up to the last second. Inside monitor/ only.
+// Files that grow during a stream: they contain everything up to the last second, even if the
+// monitor is killed. Inside monitor/ only.
 #pragma once
 
 #include <memory>

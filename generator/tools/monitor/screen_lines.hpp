@@ -1,4 +1,4 @@
-// The contents of a screen as lines of text: nothing here knows a terminal.
+// The contents of a screen as lines of text, independent of a terminal.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Where a stream comes from. Each kind of source is a file of its own.
+// Source of a stream. Each kind of source has its own file.
 #pragma once
 
 #include <cstdint>

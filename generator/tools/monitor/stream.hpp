@@ -1,4 +1,4 @@
-// Events of a stream of messages: the same of all kinds.
+// Events of a stream of messages, the same for all kinds of source.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Shared parts of loops over a source. Inside monitor/ only.
+// Helpers for loops over a source. Inside monitor/ only.
 #pragma once
 
 #include <cstdint>

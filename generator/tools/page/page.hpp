@@ -1,5 +1,4 @@
-// Everything that is known of a graph as one page of HTML that needs nothing else: no network, no
-// server, no other file.
+// All information about a graph as one HTML page that needs no network, server or other file.
 #pragma once
 
 #include <cstddef>

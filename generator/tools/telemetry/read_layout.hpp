@@ -1,4 +1,4 @@
-// telemetry.json, which the generator wrote next to a program: nothing in it is trusted.
+// Reads telemetry.json, which the generator writes next to a program. Its contents are not trusted.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// A log in the form of other tools.
+// Converts a log for other tools.
 #pragma once
 
 #include <runtime/host/trace/log_file.hpp>

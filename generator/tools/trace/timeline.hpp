@@ -1,4 +1,4 @@
-// When the messages of a log were sent.
+// Times at which the messages of a log were sent.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A file of a training line by line, and its problems at their lines.
+// Reads a file of a training line by line, and reports problems with their lines.
 #pragma once
 
 #include <cstdint>

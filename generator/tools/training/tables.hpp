@@ -1,4 +1,4 @@
-// Tables of trainings: the curve of `train --csv`, and what a sweep writes with `--results`.
+// Tables of trainings: the curve of `train --csv`, and the results of a sweep (`--results`).
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// From tensors with names to the actor's layers: which names are an actor, what their libraries do
-// between them, and whether the rest of the file agrees.
+// Builds the actor's layers from named tensors: finds the actor's names, adds the operations that
+// its library puts between them, and checks the rest of the file.
 #pragma once
 
 #include <array>

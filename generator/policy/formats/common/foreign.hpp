@@ -1,4 +1,4 @@
-// Files that are no policy in a format that is read: what they are, and the way to one that is.
+// Files that are not a policy in a supported format: what they are, and how to convert them.
 #pragma once
 
 #include <optional>

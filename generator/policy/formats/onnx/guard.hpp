@@ -1,4 +1,4 @@
-// Whether an ONNX file can be parsed in little memory. Inside formats/onnx only.
+// Checks that an ONNX file can be parsed in little memory. Inside formats/onnx only.
 #pragma once
 
 #include <string_view>

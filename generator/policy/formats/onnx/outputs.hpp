@@ -1,4 +1,4 @@
-// Which output of a graph is the action. Inside formats/onnx only.
+// Finds the output of a graph that is the action. Inside formats/onnx only.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Zip archives: Stable-Baselines3, torch.save and npz files are such. Only what is asked for is
-// unpacked; nothing is ever written.
+// Zip archives, such as files of Stable-Baselines3, torch.save and npz. Unpacks only the requested
+// members, and never writes files.
 #pragma once
 
 #include <cstdint>

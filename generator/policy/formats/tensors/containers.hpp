@@ -1,4 +1,4 @@
-// Files that are nothing but named tensors: npz, torch.save, safetensors.
+// Files that contain only named tensors: npz, torch.save, safetensors.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
-// Tensors of a file by name, whatever its format. Values are only looked at on demand, so that
-// parts of a file that are not needed may hold anything.
+// Tensors of a file by name, in any format. Values are read on demand, so that unneeded parts of a
+// file may contain anything.
 #pragma once
 
 #include <deque>

@@ -1,4 +1,4 @@
-// Contents of a TorchScript archive: modules with their tensors, constants, and code.
+// Contents of a TorchScript archive: modules with their tensors, constants and code.
 #pragma once
 
 #include <deque>

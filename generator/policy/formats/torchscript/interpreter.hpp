@@ -1,5 +1,5 @@
-// Follows `forward` of a TorchScript archive from its arguments to what it returns. Nothing is
-// run: tensors are only names of what is known of them, and conditions must be known.
+// Follows `forward` of a TorchScript archive from its arguments to its results, without running it:
+// a tensor is a symbol with known properties, and conditions must be known.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// An operator as it is used in a file, and what it sees.
+// One use of an operator in a file, with its inputs.
 #pragma once
 
 #include <deque>

@@ -1,4 +1,4 @@
-// From the steps that lead to the action to layers with their weights.
+// Lowers the steps that lead to the action to layers with weights.
 #pragma once
 
 #include <optional>

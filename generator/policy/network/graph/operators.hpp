@@ -1,4 +1,4 @@
-// The rows of operators, one each, and what they share.
+// The table of operators, a row each, and their shared code.
 #pragma once
 
 #include <functional>
