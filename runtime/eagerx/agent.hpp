@@ -1,4 +1,4 @@
-// Between observations, a policy's numbers, and actions.
+// Converts observations into a policy's inputs, and its outputs into actions.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Asynchronous inputs: which messages a callback sees is decided by the clock, not by counting.
+// Asynchronous inputs: the clock, not a count, decides which messages a callback sees.
 // SEMANTICS §10.
 #pragma once
 

@@ -1,5 +1,4 @@
-// Loops with a limit, for the bound of instructions that `eagerx-gen size --worst` finds in an
-// image.
+// Loops with a limit, so that `eagerx-gen size --worst` can bound the instructions of an image.
 #pragma once
 
 #include <cstdint>

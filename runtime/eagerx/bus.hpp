@@ -1,4 +1,4 @@
-// Buses to sensors and actuators: what a driver may ask of one, whatever carries the bytes.
+// Buses to sensors and actuators: the interface for drivers, independent of the transport.
 //
 // A bus takes transfers and carries them out in order when run() is called, so that one over USB
 // needs one round trip for all of them; a board's own bus may carry each out at once. Buffers that

@@ -1,4 +1,4 @@
-// Properties of a published message that are known before the program runs.
+// Static properties of a published message.
 #pragma once
 
 #include <cstdint>

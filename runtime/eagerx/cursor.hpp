@@ -1,6 +1,6 @@
-// How many messages an input has received, where that is not simply its source's counter:
-// SEMANTICS §3. Additions only; with source rate / own rate = A/B in lowest terms and
-// x = ceil(B · source rate · delay).
+// Counts the messages that an input has received, if that is not simply its source's counter:
+// SEMANTICS §3. Additions only; with source rate / own rate = A/B in lowest terms and x = ceil(B ·
+// source rate · delay).
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Delays that a reset may change: from seconds to what the cursors count in.
+// Delays that a reset may change: converts seconds into the units of cursors.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// How a program starts, resets, makes safe and stops its engine, and what everything counts.
+// Start, reset, safe state and stop of a program's engine, and all counts of a run.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Whether the processor calculates as everywhere else: a library, or a program that is linked with
-// -ffast-math, can tell it to take denormal numbers for zero, and then bits differ.
+// Checks the floating-point mode of the processor: a library, or linking with -ffast-math, can make
+// it flush denormal numbers to zero, and then bits differ.
 #pragma once
 
 #include <bit>

@@ -1,4 +1,5 @@
-// The guard of a program's actions: what reaches the actuators instead of the agent's action.
+// The guard of a program's actions: decides what reaches the actuators instead of the agent's
+// action.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
-// Functions that a generated program calls besides its nodes: template parameter `Hooks` of
-// Program, an object that sees messages and decides whether the engine runs, slots wait and
-// pictures are drawn. Only on_episode() and on_message() are compulsory.
+// Hooks of a generated program, the template parameter `Hooks` of Program: an object that sees
+// messages and decides whether the engine runs, slots wait and pictures are drawn. Only
+// on_episode() and on_message() are mandatory.
 #pragma once
 
 #include <cstdint>

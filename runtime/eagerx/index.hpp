@@ -1,5 +1,6 @@
 // Indexes of messages and windows. With EAGERX_CHECKS, which debug builds and sanitizers define,
-// each is compared with the size, and the program ends with the place in the node that wrote it.
+// each index is checked, and an index out of range ends the program with its place in the node's
+// source.
 #pragma once
 
 #ifdef EAGERX_CONSTANT_INDEXES  // defined by `eagerx-gen check --compile`

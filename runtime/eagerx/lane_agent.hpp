@@ -1,5 +1,4 @@
-// Between SIMD vectors of observations, a policy's numbers, and actions: as eagerx/agent.hpp, lane
-// by lane the same.
+// Conversions like those of eagerx/agent.hpp for SIMD vectors, with the same results in each lane.
 #pragma once
 
 #include <cstddef>

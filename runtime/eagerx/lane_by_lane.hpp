@@ -1,5 +1,5 @@
-// Lane-by-lane parts of a SIMD group: nodes and processors that are written for plain
-// numbers. They see and give the same messages as in their environment's own program.
+// Lane-by-lane parts of a SIMD group: nodes and processors that are written for plain numbers. They
+// receive and send the same messages as in the program of a single environment.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Random numbers of several episodes at once: what Random gives for each of them.
+// Random numbers of several episodes at once, each the same as from Random.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// For programs over SIMD vectors, besides simd.hpp: clocks and windows of environments that
-// began at different times, and copying one environment into and out of its lane.
+// Clocks and windows of environments in one SIMD group that began at different times, and copies of
+// one environment into and out of its lane.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// What happens when a program finds in its own memory what it never wrote there: a bit has flipped,
-// or something wrote over it.
+// Reaction to corrupted memory: a bit has flipped, or something has overwritten the program's data.
 #pragma once
 
 /// Called, if defined, when a program finds an invalid place in the schedule. It may end the

@@ -1,5 +1,5 @@
-// The numbers of a program that is linearized: doubles with derivatives, which report where they
-// are and what became of their derivatives.
+// Numbers of a program that is linearized: doubles with derivatives, which record their addresses
+// and whether derivatives were lost or smoothed.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The guard of a controller without an engine: its actions are measurements, and its observations
-// are what leaves to the world.
+// are the outputs to the world.
 #pragma once
 
 #include <array>
@@ -200,7 +200,7 @@ class OutputGuard {
 
   Verdict<Limits> verdict_;
   typename Limits::Outputs outputs_{};
-  // What the nodes sent last, for observations that are not outputs.
+  // The last messages of the nodes, for observations that are not outputs.
   [[no_unique_address]] std::conditional_t<kRemembers, std::optional<Observation>, Nothing> last_;
   bool is_reset_ = false;
   bool acts_ = false;

@@ -1,6 +1,6 @@
-// Peripherals besides buses: what a driver or a main program may ask of PWM, ADC, quadrature
-// encoders, timers and watchdogs, whatever board they are on. Errors are those of bus.hpp, and what
-// is read is valid after run(), as on a bus.
+// Peripherals other than buses: the interfaces of PWM, ADC, quadrature encoders, timers and
+// watchdogs for drivers and main programs, the same on every board. Errors are those of bus.hpp,
+// and readings are valid after run(), as on a bus.
 #pragma once
 
 #include <concepts>

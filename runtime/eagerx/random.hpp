@@ -1,5 +1,5 @@
 // Random numbers that depend on names and counts only: Philox4x32-10 on (seed; environment,
-// episode, entity, counter). Environment k never depends on how many others run, and all targets
+// episode, entity, counter). Environment k does not depend on how many others run, and all targets
 // sample the same bits.
 #pragma once
 

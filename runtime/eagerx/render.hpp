@@ -1,4 +1,4 @@
-// The pictures of a program: the end of the connections that only pictures need.
+// The pictures of a program: the receiver of connections that only pictures need.
 #pragma once
 
 #include <eagerx/rate.hpp>

@@ -1,4 +1,4 @@
-// Domain randomisation: a state's value at a reset. (Uniform: Space::sample.)
+// Domain randomization: a state's value at a reset. (Uniform: Space::sample.)
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A drawing as a message: float32 [rows, 16], a row a shape. What draws it is picture.hpp.
+// A drawing as a message: float32 [rows, 16], one shape per row. picture.hpp draws it.
 #pragma once
 
 #include <cstddef>

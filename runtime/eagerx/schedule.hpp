@@ -1,4 +1,4 @@
-// Which rates are due at a slot.
+// The rates that are due at a slot.
 #pragma once
 
 #include <cstdint>

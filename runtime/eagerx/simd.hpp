@@ -1,6 +1,6 @@
-// SIMD vectors: N numbers that are computed together, like C++26's std::simd, in the words that
-// eagerx/math.hpp and entities are written in. One lane is one environment (or one sample): its
-// bits are those of a plain number.
+// SIMD vectors: N numbers that are computed together, like C++26's std::simd, with the operations
+// that eagerx/math.hpp and entities use. One lane is one environment (or one sample): its bits are
+// those of a plain number.
 //
 // Built on the vector types of GCC and Clang (GCC manual, "Using Vector Instructions through
 // Built-in Functions"). A vector wider than a register is taken apart badly (8 to 10 times slower

@@ -1,4 +1,4 @@
-// When your own main loop calls step(), and how many steps in a row were too late.
+// Times at which your own main loop calls step(), and the number of consecutive late steps.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Times that stay exact however long a program runs: whole seconds, and phases modulo a turn.
+// Times that stay exact in programs that run for years: whole seconds, and phases modulo a turn.
 #pragma once
 
 #include <cstdint>

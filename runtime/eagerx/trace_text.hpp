@@ -1,5 +1,5 @@
-// The trace as text: what `--trace` writes, on every target. Its form is in targets/README.md, "The
-// trace file"; runtime/host/trace reads it.
+// The trace as text, which `--trace` writes on every target. targets/README.md, "The trace file",
+// describes its format; runtime/host/trace reads it.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Whether what a program is given may act, or what is safe takes over: `safety:` of a graph.
+// Decides whether a program's inputs may act, or safe values take over: `safety:` of a graph.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// The board's end of the link. It never speaks unasked: it answers each request of the host once
-// it needs more messages than it has, and answers a duplicate with its last answer.
+// The board's end of the link. It only answers requests: it answers each request of the host once
+// it needs more messages than it has, and a duplicate with its last answer.
 #pragma once
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 //
 //   0, COBS(kind u8, number u32, payload, CRC-32C u32), 0
 //
-// with little-endian numbers. The zero in front ends whatever noise came before. The CRC of a
+// with little-endian numbers. The leading zero ends any noise before the frame. The CRC of a
 // session's frames starts from the session's own value, so frames of another session, graph or
 // version fail it.
 #pragma once

@@ -1,8 +1,8 @@
-// The host's end of the link. It drives: a request goes out when it needs messages of the board (or
-// its frame is full), and is sent again until the answer with its number is there. So a line that
-// drops, duplicates, delays, reorders or corrupts frames changes how long a run takes and nothing
-// else, or the run stops with a reason. A host that knows what it will need can submit() requests
-// before it waits for the answer to the first of them.
+// The host's end of the link. The host is the master: it sends a request when it needs messages of
+// the board (or its frame is full), and repeats it until the answer with its number arrives. So a
+// line that drops, duplicates, delays, reorders or corrupts frames changes only the duration of a
+// run, or the run stops with a reason. A host that knows its next requests can submit() them before
+// it waits for the first answer.
 #pragma once
 
 #include <cstddef>

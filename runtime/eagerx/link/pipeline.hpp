@@ -1,7 +1,7 @@
-// A hub that continues while its parts calculate: it asks for a message where the message is sent,
-// and waits for it where it is read. What a delay holds back is not waited for, and parts that do
-// not need each other calculate at the same time. Which message is read when, and the order of the
-// trace, stay what they are.
+// A hub that continues while its parts calculate: it requests a message when the message is sent,
+// and waits for it when it is read. It does not wait for messages that a delay holds back, and
+// independent parts calculate at the same time. The messages of each tick and the order of the
+// trace do not change.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,6 @@
-// The hub's links to all parts of a graph. Each has frames, exchanges and a line of its own
-// (host.hpp); what goes from one part to another goes through the hub. All programs follow one
-// order of messages, so the hub never waits for two parts that wait for each
-// other.
+// The hub's links to all parts of a graph. Each link has its own frames, exchanges and line
+// (host.hpp); messages between parts go through the hub. All programs follow one order of messages,
+// so the hub never waits for two parts that wait for each other.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Messages and commands as bytes, on top of what carries bytes.
+// Messages and commands as bytes, on top of a byte stream.
 #pragma once
 
 #include <cstddef>
@@ -84,7 +84,7 @@ bool get_counts(Link& link, F&& f) {
     if (!link.get_bytes(reinterpret_cast<std::uint8_t*>(name), length) || !link.get(count))
       return false;
     name[length] = '\0';
-    // What a terminal might obey has no place in a name.
+    // Replaces characters that could control a terminal.
     for (std::size_t k = 0; k < length; ++k)
       name[k] = name[k] >= ' ' && name[k] <= '~' ? name[k] : '?';
     f(static_cast<const char*>(name), count);

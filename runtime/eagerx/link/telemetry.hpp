@@ -1,7 +1,7 @@
-// Telemetry of a board that runs in real time: chosen messages, in the frames of the
-// link (frame.hpp), over a line without answers. In a slot messages are only copied into a
-// ring; frames are made and sent in the idle time between slots, a byte at a time, and nothing ever
-// waits. targets/README.md has the format.
+// Telemetry of a board that runs in real time: chosen messages, in the frames of the link
+// (frame.hpp), over a line without answers. A slot only copies messages into a ring. Frames are
+// made and sent byte by byte in the idle time between slots, and nothing ever waits.
+// targets/README.md has the format.
 #pragma once
 
 #include <cstddef>
@@ -237,7 +237,7 @@ class Telemetry {
     }
     const bool full = made_ - sent_ == kCells;
     dropped_ += full ? 1 : 0;
-    // What finds no room is copied all the same, to where it is never read.
+    // If the ring is full, the message is copied into a record that is never read.
     Record& record = full ? spare_ : cell(made_++);
     record.number = number_++;
     record.closed = false;

@@ -23,8 +23,8 @@
 
 namespace eagerx {
 
-/// What else a Dual does when it begins to exist: nothing. A program specializes it to find all
-/// numbers of an object (targets/linearize).
+/// Does nothing when a Dual is constructed. A program specializes it to find all numbers of an
+/// object (targets/linearize).
 template <class R, std::size_t N>
 struct DualBirth {};
 

@@ -136,8 +136,8 @@ struct ReducedFloat {
   float angle, tail, quadrant;
 };
 
-/// What reduce_huge_angle() does, for floats. It has no loop and one branch, so that the bound of
-/// its instructions is what it takes: programs for boards are planned with this path.
+/// reduce_huge_angle() for floats. It has no loop and one branch, so that the bound of its
+/// instructions is tight: programs for boards are planned with this path.
 [[gnu::noinline]] constexpr ReducedFloat reduce_huge_float(float x) {
   using Format = FloatFormat<float>;
   constexpr unsigned kWordBits = 32;

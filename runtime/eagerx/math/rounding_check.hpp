@@ -1,5 +1,5 @@
-// Whether compiler options may change results. Its macros say so for -ffast-math, and g++'s for
-// most parts of it (vocabulary.hpp refuses these); clang has none for the others.
+// Finds compiler options that may change results. Macros reveal -ffast-math and, with g++, most of
+// its parts (vocabulary.hpp rejects these); clang has no macros for the parts.
 #pragma once
 
 namespace eagerx {

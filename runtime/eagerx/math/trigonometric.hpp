@@ -90,7 +90,7 @@ template <class R>
 
   if constexpr (lanes<R> != 1) {
     if (any(huge)) [[unlikely]] {
-      // What has an address stays in memory: that is a copy.
+      // A variable whose address is taken stays in memory, so this is a copy.
       Reduced<R> corrected = reduced;
       reduce_huge_lanes(R(x), corrected);
       reduced = corrected;

@@ -1,4 +1,4 @@
-// The few words the mathematics is written in. A SIMD vector that provides them (with
+// The operations that the mathematics is written in. A SIMD vector that provides them (with
 // arithmetic, comparisons and a broadcasting constructor) can use every function of eagerx/math.hpp
 // unchanged.
 #pragma once

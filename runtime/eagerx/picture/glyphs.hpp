@@ -1,4 +1,4 @@
-// Letters as strokes, for texts of scenes.
+// Letters as strokes, for text in scenes.
 #pragma once
 
 #include <cstddef>

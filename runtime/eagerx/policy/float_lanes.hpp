@@ -1,4 +1,4 @@
-// The registers that policies of one environment work in.
+// The registers for the policy of a single environment.
 #pragma once
 
 #include <cstddef>

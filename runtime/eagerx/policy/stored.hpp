@@ -1,5 +1,5 @@
-// Tables of a large policy as bytes of a file next to its header: the assembler copies them, and
-// the compiler reads no numbers.
+// Tables of a large policy as bytes in a file next to its header: the assembler includes them, so
+// that the compiler need not parse numbers.
 #pragma once
 
 #include <bit>

@@ -1,4 +1,4 @@
-// Threads in addition to the one that steps.
+// Threads other than the one that steps.
 #pragma once
 
 #include <csignal>

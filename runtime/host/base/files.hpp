@@ -1,4 +1,4 @@
-// The files that programs write for their users. Errors are those of errno, 0 without one.
+// Files that programs write for their users. Errors are values of errno, 0 if there is none.
 #pragma once
 
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-// Signals: every way to stop a program that a signal handler can see is a safe one.
+// Signals: every signal that can be caught stops a program safely.
 #pragma once
 
 #include <atomic>

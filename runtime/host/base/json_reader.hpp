@@ -1,4 +1,4 @@
-// JSON that somebody else has written: a client of a server, a library, another program.
+// Reads untrusted JSON: from a server's client, a library, another program.
 #pragma once
 
 #include <cstddef>

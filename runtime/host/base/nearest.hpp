@@ -1,4 +1,4 @@
-// Of some names, the one that was probably meant.
+// Finds the name that was probably meant.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Numbers as text that reads back to the same bits, whatever the locale.
+// Numbers as text that reads back to the same bits in any locale.
 #pragma once
 
 #include <array>

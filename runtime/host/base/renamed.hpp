@@ -1,6 +1,6 @@
-// Names in files and on command lines that have changed, as data: the one table of old and new
-// names. Errors suggest the new name, `eagerx-gen fix` writes it, and files that a program has
-// written (checkpoints, records, tables) are read with both.
+// The table of old and new names in files and on command lines. Errors suggest the new name,
+// `eagerx-gen fix` writes it, and files that a program has written (checkpoints, records, tables)
+// may contain either.
 #pragma once
 
 #include <array>

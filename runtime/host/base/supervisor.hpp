@@ -1,5 +1,5 @@
-// A process next to a program that drives hardware: it makes that safe if the program is killed, or
-// stands still.
+// A process that supervises a program that drives hardware: it makes the hardware safe if the
+// program is killed or hangs.
 #pragma once
 
 #include <sys/types.h>

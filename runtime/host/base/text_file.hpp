@@ -1,4 +1,4 @@
-// Text output that allocates once, when it is opened, and knows no locale.
+// Text output that allocates only when it is opened, and ignores the locale.
 #pragma once
 
 #include <semaphore.h>

@@ -1,4 +1,4 @@
-// A pool of threads that run one job together, again and again.
+// A pool of threads that run one job together, repeatedly.
 #pragma once
 
 #include <sys/types.h>

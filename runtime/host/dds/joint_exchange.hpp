@@ -1,4 +1,4 @@
-// Messages sensor_msgs/JointState between this program and others of this machine.
+// Exchanges sensor_msgs/JointState messages with other programs on this machine.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Cyclone DDS: its headers where a program is built, and the library where it runs, if it speaks by
-// DDS. Inside dds/ only.
+// Cyclone DDS: a build needs its headers, and a program that uses DDS needs the library at run
+// time. Inside dds/ only.
 #pragma once
 
 #include <dds/dds.h>

@@ -1,4 +1,4 @@
-// Which network a program speaks DDS in.
+// The network that a program uses for DDS.
 #pragma once
 
 #include <cstdint>

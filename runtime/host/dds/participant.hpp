@@ -1,4 +1,4 @@
-// A program as one of those that speak with DDS.
+// The program as a DDS participant.
 #pragma once
 
 #include <cstdint>

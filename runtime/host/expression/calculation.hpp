@@ -1,4 +1,4 @@
-// A typed expression that is calculated in a loop: on a stack of fixed size, without allocating.
+// Evaluates a typed expression in a loop: on a stack of fixed size, without allocation.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
-// The language of everything that is calculated from a text: what manifests require
-// (`max(cutoff_hz) < rate / 2`), arithmetic with `$(config limit)`, the task of a graph, `--until`
-// and `--measure`. README.md is its description.
+// The language of all expressions in text: requirements in manifests (`max(cutoff_hz) < rate / 2`),
+// arithmetic with `$(config limit)`, the task of a graph, `--until` and `--measure`. README.md is
+// its description.
 //
 //   or:       and, not binds tighter; `a or b and not c`
 //   compare:  < <= > >= == !=, `x in (a, b)`; not chained
@@ -8,7 +8,7 @@
 //   names:    see NameForm; an element of a list: `name[2]`
 //   calls:    function(…, …)
 //
-// What names and functions there are, and what fits together, is for those who read the tree.
+// The reader of the tree defines names, functions and types.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Who may read a run, and who may change it.
+// Permissions to read a run and to change it.
 #pragma once
 
 #include <runtime/host/web_socket/web_socket.hpp>

@@ -1,5 +1,5 @@
 // A server of Foxglove's WebSocket protocol: channels, the drawing, time, parameters, services. It
-// can show a page besides, which speaks the same protocol.
+// can also serve a page, which uses the same protocol.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Changes that clients may make to a run. The owner of a run says how; a server without one is
-// read-only.
+// Changes that clients may make to a run. The owner of a run implements them; a server without an
+// owner is read-only.
 #pragma once
 
 #include <cstdint>

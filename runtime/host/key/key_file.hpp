@@ -1,4 +1,4 @@
-// The key that two machines have in common: a file of its owner alone.
+// The key that two machines share: a file that only its owner may read.
 #pragma once
 
 #include <array>

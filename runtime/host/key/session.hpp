@@ -1,6 +1,6 @@
-// Two programs that have a key in common, over a line that others can read and write. README.md
-// says how they find each other, what that promises and what not. No sockets are here: bytes go in
-// and out. Nothing allocates.
+// A session of two programs that share a key, over a line that others can read and write. README.md
+// describes the handshake and its guarantees. This file has no sockets: bytes go in and out.
+// Nothing allocates.
 #pragma once
 
 #include <array>

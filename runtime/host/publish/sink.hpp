@@ -1,4 +1,4 @@
-// Where messages are published.
+// Destination of published messages.
 #pragma once
 
 #include <cstddef>

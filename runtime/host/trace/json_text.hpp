@@ -1,4 +1,4 @@
-// Messages as JSON: of logs, and of programs that publish them while they run.
+// Messages as JSON, from logs and from running programs.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// When the messages of a log were sent, one after the other.
+// Send times of a log's messages, one after the other.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Reads what `--trace` wrote, on Linux. Nothing in a file is trusted: whatever is wrong is said
-// with line and column.
+// Reads files of `--trace` on Linux. The file is not trusted: every problem is reported with line
+// and column.
 #pragma once
 
 #include <bit>

@@ -1,5 +1,5 @@
 // MCAP files, https://mcap.dev/spec: chunks without compression, each with its index; messages in
-// JSON. What `eagerx-gen trace convert` makes of a log, and a program with `--publish mcap:FILE`
+// JSON. `eagerx-gen trace convert` writes them from a log, and a program with `--publish mcap:FILE`
 // while it runs.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Reads MCAP files (https://mcap.dev/spec) from front to back, also growing ones and those of
-// other programs: channels and messages, within chunks without compression or outside of them.
+// Reads MCAP files (https://mcap.dev/spec) from front to back, also growing files and those of
+// other programs: channels and messages, inside or outside of uncompressed chunks.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A run against a log: what the log gives is taken from it, the rest is compared with it.
+// Repeats a run with a log: takes the given messages from the log, and compares the others with it.
 #pragma once
 
 #include <cstddef>

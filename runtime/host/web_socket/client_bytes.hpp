@@ -1,5 +1,5 @@
-// Bytes of a client that the library may receive. It takes frames that are not masked,
-// which RFC 6455 (section 5.1) forbids a server to take.
+// Bytes of a client that the library may receive. The library accepts unmasked frames, which RFC
+// 6455 (section 5.1) forbids.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// libwebsockets: its headers where a program is built, since its structs are others in each
-// version, and the library where it runs, if it speaks with somebody. Inside web_socket/ only.
+// libwebsockets: a build needs its headers, because its structs differ between versions, and a
+// program that uses WebSockets needs the library at run time. Inside web_socket/ only.
 #pragma once
 
 #include <libwebsockets.h>

@@ -1,4 +1,4 @@
-// A socket that others connect to.
+// A listening socket.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// The bytes of one connection, between the client's socket and the library's. Both ways; of what
-// the client sends the library has what ClientBytes lets through.
+// Relays the bytes of one connection between the client's socket and the library's, both ways. Of
+// the client's bytes, the library receives those that ClientBytes lets through.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// WebSockets, a server and a client, without the types of the library that speaks them.
+// A WebSocket server and client, without the types of the library that implements them.
 #pragma once
 
 #include <cstddef>
