@@ -1,4 +1,4 @@
-// The table of `--csv`: a row a step, the same columns on every target.
+// The table of `--csv`: one row per step, the same columns on every target.
 #pragma once
 
 #include <cstddef>

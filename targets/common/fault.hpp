@@ -1,4 +1,5 @@
-// Faults of what an agent sees and gives: a sensor that falls silent, a number that is none.
+// Injected faults of an agent's observations and actions: a silent sensor, a number that is not
+// finite.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// The board's half of a split graph: does what the host says over the link, until that ends.
+// The board's half of a split graph: follows the host's commands over the link until the end of the
+// run.
 #pragma once
 
 #include <cstdint>

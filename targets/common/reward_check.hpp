@@ -1,4 +1,4 @@
-// Rewards that are not numbers, on every target: how often, and which term is to blame.
+// Counts rewards that are not finite, on every target, and finds the term that causes them.
 #pragma once
 
 #include <cstddef>

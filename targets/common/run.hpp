@@ -1,6 +1,5 @@
-// The loop of every target: episodes, steps and an agent. One text for Linux and for boards, so
-// that two programs of one graph do the same things in the same order and end with the same trace
-// hash.
+// The loop of every target: episodes, steps and an agent. Linux and boards share it, so that two
+// programs of one graph do the same things in the same order and end with the same trace hash.
 #pragma once
 
 #include <cstddef>

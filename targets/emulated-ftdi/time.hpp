@@ -1,4 +1,4 @@
-// Time as the program sees it: of the machine, or emulated.
+// Time as the program sees it: the machine's, or emulated.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The environments that a batch holds: the episode of each, and the program or lane that it is in.
+// The environments of a batch: the episode of each, and the program or lane that runs it.
 #pragma once
 
 #include <targets/environments/eagerx_environments.h>

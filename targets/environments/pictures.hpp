@@ -1,5 +1,5 @@
-// Environments whose pictures are wanted: what `render:` of the graph showed last is kept, and
-// painted when somebody asks for it.
+// Pictures of environments: keeps the last scene of the graph's `render:`, and paints it on
+// request.
 #pragma once
 
 #include <cstdint>

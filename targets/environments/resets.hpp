@@ -1,4 +1,4 @@
-// How the environments of a batch begin an episode: what it begins with, and where it is stepped.
+// Begins episodes in a batch: their initial states, and the program or lane that steps them.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The graph's policy, vectorized over rows, where it looks at nothing but the last observation.
+// The graph's policy, vectorized over rows, if it depends on the last observation only.
 #pragma once
 
 #include <cstddef>

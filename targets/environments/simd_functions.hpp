@@ -1,4 +1,4 @@
-// The functions of SimdKernel, for the instruction set that this is compiled for.
+// The functions of SimdKernel, for the instruction set of this compilation.
 #pragma once
 
 #include <bit>

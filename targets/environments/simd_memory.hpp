@@ -1,4 +1,4 @@
-// The SIMD groups of a batch, where environments run vectorized.
+// The SIMD groups of a batch whose environments run vectorized.
 #pragma once
 
 #include <algorithm>

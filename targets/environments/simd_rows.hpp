@@ -1,4 +1,5 @@
-// Numbers of a SIMD group, which lie side by side for all lanes, as the rows of its environments.
+// Converts between the numbers of a SIMD group, stored side by side for all lanes, and the rows of
+// its environments.
 #pragma once
 
 #include <cstddef>

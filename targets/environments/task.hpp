@@ -1,4 +1,4 @@
-// The task of a graph, where it has one: reward and end of an episode.
+// The task of a graph, if it has one: reward and end of an episode.
 #pragma once
 
 #include <targets/environments/eagerx_environments.h>

@@ -18,7 +18,7 @@
 
 namespace eagerx::linearize {
 
-/// What to look at: channels by their numbers in the graph.
+/// Request for the system of a node, with channels by their numbers in the graph.
 struct NodeRequest {
   std::string node;                  // its name; empty: no node
   std::optional<std::uint32_t> cut;  // the channel that is the input of the system

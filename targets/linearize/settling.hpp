@@ -1,4 +1,4 @@
-// The steady state of numbers that depend on nothing but themselves, such as a filter's covariance.
+// The steady state of numbers that depend only on themselves, such as a filter's covariance.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a program sends at a port after a step is added there, and without it.
+// Step response at a port: the program's messages with an added step and without it.
 #pragma once
 
 #include <cstddef>

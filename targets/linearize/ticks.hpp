@@ -1,4 +1,4 @@
-// What happens from one tick of a node to the next, with what one channel carries as the input.
+// Records a node from one tick to the next, with the messages of one channel as the input.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The program of a graph on target linux-sim: the loop over its steps, and what knows its types.
-// All else that a program does is in the library behind graph_program.hpp, compiled once.
+// The program of a graph on target linux-sim: the loop over its steps, and code that depends on its
+// types. Everything else is in the library behind graph_program.hpp, compiled once.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The elements of a message whose type is known only when the program runs.
+// Elements of a message whose type is known only at run time.
 #pragma once
 
 #include <cstddef>

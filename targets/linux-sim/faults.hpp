@@ -1,4 +1,4 @@
-// --fault: what the agent sees and gives, with faults.
+// --fault: injects faults into the agent's observations and actions.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Files of a program: descriptors that are there, files that are different.
+// Files of a program: checks that descriptors are open, and that files differ.
 #pragma once
 
 #include <cstdio>

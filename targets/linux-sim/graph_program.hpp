@@ -1,7 +1,7 @@
 // The seam between a graph's program and the library that is compiled once for all graphs: the
-// library's view of a graph, and what it calls. The program's own text (app.hpp) has the loop over
-// steps and all that knows the graph's types; whatever is done with files, options, clocks,
-// terminals and texts is the library's.
+// library's view of a graph, and what it calls. The program's own code (app.hpp) has the loop over
+// steps and everything that depends on the graph's types; the library handles files, options,
+// clocks, terminals and text.
 #pragma once
 
 #include <cstddef>

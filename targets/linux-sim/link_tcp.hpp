@@ -1,5 +1,4 @@
-// TCP lines between the programs of a split graph: which peers may speak, and how long a wait
-// lasts.
+// TCP lines between the programs of a split graph: accepted peers, and timeouts.
 #pragma once
 
 #include <sys/socket.h>

@@ -1,4 +1,4 @@
-// --until, --measure, --summary: when an episode ends, and what is reported of all of them.
+// --until, --measure, --summary: the end of an episode, and measures of all episodes.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Messages without their types: what the library of linux-sim knows of a graph.
+// Messages without their types, as the library of linux-sim sees them.
 #pragma once
 
 #include <cstddef>

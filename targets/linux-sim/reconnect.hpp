@@ -1,4 +1,4 @@
-// A hub that waits for parts that are lost: `--reconnect`.
+// A hub that waits for lost parts: `--reconnect`.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
-// Handles the messages of a run besides their hash: written, measured, compared with a
-// log or taken from it.
+// Writes and measures the messages of a run, compares them with a log or takes them from it.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// The main program of a board without an operating system that talks through semihosting or a
-// serial port, for any graph.
+// The main program of a board without an operating system, with semihosting or a serial port, for
+// any graph.
 #pragma once
 
 #include <algorithm>

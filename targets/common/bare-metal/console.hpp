@@ -1,4 +1,4 @@
-// Text out of a board, through semihosting or a serial port, without printf and without heap.
+// Text output of a board, through semihosting or a serial port, without printf and heap.
 #pragma once
 
 #include <concepts>

@@ -1,5 +1,5 @@
 // Numbers as decimal text for boards: no printf, no tables, no heap. Exact integer arithmetic, so
-// it is slow (some thousand instructions a number) and right.
+// it is correct but slow (some thousand instructions per number).
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Registers of peripherals. Drivers of peripherals take the memory as a template parameter, so that
-// tests can put one in its place that records what happens.
+// tests can replace it with one that records accesses.
 #pragma once
 
 #include <cstdint>

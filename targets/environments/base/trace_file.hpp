@@ -1,4 +1,4 @@
-// The file of a trace that a caller asked for.
+// The trace file that a caller requested.
 #pragma once
 
 #include <cstdint>

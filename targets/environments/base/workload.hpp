@@ -1,4 +1,4 @@
-// How many threads a step of many environments is worth.
+// Number of threads that a step of many environments is worth.
 #pragma once
 
 #include <algorithm>

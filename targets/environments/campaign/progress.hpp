@@ -1,4 +1,4 @@
-// How far a campaign is, for people.
+// Progress of a campaign on the terminal.
 #pragma once
 
 #include <chrono>

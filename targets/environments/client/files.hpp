@@ -1,4 +1,4 @@
-// Files that are there as a whole or not at all, and the standard output.
+// Files that are written completely or not at all, and the standard output.
 #pragma once
 
 #include <string>

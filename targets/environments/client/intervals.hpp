@@ -1,4 +1,4 @@
-// How sure a figure is that comes of samples.
+// Confidence intervals of figures from samples.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A library of environments, loaded while a program runs.
+// A library of environments, loaded at run time.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Memory for what a step of some environments writes.
+// Memory for the results of a step of several environments.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The processes that share a work: one, or those that mpirun has started.
+// The processes that share the work: one, or those that mpirun started.
 #pragma once
 
 #include <cstddef>

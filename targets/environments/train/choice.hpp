@@ -1,4 +1,4 @@
-// Choosing one of a few by the outputs of a network.
+// Discrete choices by the outputs of a network.
 #pragma once
 
 #include <eagerx/math.hpp>

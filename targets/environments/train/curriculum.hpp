@@ -1,4 +1,4 @@
-// Where a training is in the stages of its task.
+// Position of a training in the stages of its task.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The growing table of a training, or of several in parallel: whole at any time.
+// The growing table of one or more trainings in parallel, complete at any time.
 #pragma once
 
 #include <functional>

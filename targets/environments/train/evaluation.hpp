@@ -1,4 +1,4 @@
-// How well a policy does on episodes that nothing was learnt from.
+// Evaluates a policy on episodes that are not used for learning.
 #pragma once
 
 #include <cstdint>

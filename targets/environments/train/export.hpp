@@ -1,4 +1,4 @@
-// A policy as a file that eagerx-gen reads, and answers to check it by.
+// Writes a policy as a file for eagerx-gen, with golden answers to check it.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Episodes that begin where a campaign's runs have failed.
+// Episodes that begin with the initial states of a campaign's failed runs.
 #pragma once
 
 #include <cstdint>

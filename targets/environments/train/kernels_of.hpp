@@ -1,6 +1,5 @@
-// The kernels over registers of `Width` floats. Each instruction set compiles them in a file of its
-// own. All that is here depends on Width, so that no function of one file can be taken for
-// another's.
+// The kernels over registers of `Width` floats. Each instruction set compiles them in its own file.
+// Everything here depends on Width, so that the linker cannot merge functions of different files.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Which policy of a training is the best, and whether it is good.
+// Selects the best policy of a training, and decides whether it is good.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// A network of dense layers with tanh or relu between them, and a memory before them if there is
-// one, forward and backward.
+// A network of dense layers with tanh or relu between them, and an optional memory before them,
+// forward and backward.
 #pragma once
 
 #include <eagerx/random.hpp>

@@ -1,4 +1,4 @@
-// The rows that networks learn from: observations, then what only the critic sees.
+// The rows that networks learn from: observations, then the inputs of the critic only.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// How long the iterations of a training are, and when all environments begin anew.
+// Length of a training's iterations, and when all environments are reset.
 #pragma once
 
 #include <algorithm>

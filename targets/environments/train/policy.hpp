@@ -1,4 +1,4 @@
-// A policy as it is deployed: observations as they are, actions in their bounds or chosen.
+// A policy as deployed: raw observations, actions within their bounds or chosen.
 #pragma once
 
 #include <cstdint>

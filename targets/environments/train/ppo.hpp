@@ -1,4 +1,4 @@
-// Proximal policy optimisation on many environments.
+// Proximal policy optimization on many environments.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// How far the training is, for people.
+// Progress of a training on the terminal.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// The progress of a training on the terminal: its line, its table, its events.
+// Reports of a training on the terminal: its line, its table, its events.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
-// The record of a training for `eagerx-gen report --training`: a file of JSON, an object a line,
-// that is whole at any time.
+// The record of a training for `eagerx-gen report --training`: a file with one JSON object per
+// line, complete at any time.
 #pragma once
 
 #include <cstdint>

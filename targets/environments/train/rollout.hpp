@@ -1,4 +1,4 @@
-// Steps of some environments under the current policy, and what is to be learnt from them.
+// Steps of some environments under the current policy, and the samples to learn from.
 #pragma once
 
 #include <algorithm>

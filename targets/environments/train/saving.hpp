@@ -1,4 +1,4 @@
-// The checkpoint of a training, written again and again.
+// The checkpoint of a training, rewritten regularly.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Where the time of a training goes.
+// Time that a training spends on each activity.
 #pragma once
 
 #include <time.h>

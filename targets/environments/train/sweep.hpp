@@ -1,4 +1,4 @@
-// Trainings over settings: a sweep.
+// A sweep: trainings with different settings.
 #pragma once
 
 #include "targets/environments/train/client.hpp"

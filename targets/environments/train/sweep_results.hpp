@@ -1,4 +1,4 @@
-// The results of a sweep's trainings in a file, so that none is made twice.
+// The results of a sweep's trainings in a file, so that none is repeated.
 #pragma once
 
 #include <cstdint>

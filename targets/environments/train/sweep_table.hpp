@@ -1,4 +1,4 @@
-// The table of a sweep: a line for each of its settings.
+// The table of a sweep: one line for each combination of settings.
 #pragma once
 
 #include <string>

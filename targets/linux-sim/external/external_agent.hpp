@@ -1,5 +1,5 @@
-// An external agent, such as Python's: it has the other end of a socket. The loop
-// waits for it for a part of a period only, and what it does without it is safe.
+// An external agent, such as Python's, at the other end of a socket. The loop waits for it for a
+// part of a period only, and then applies a safe action.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Watches a run whose agent has the other end of a socket.
+// Watches a run whose agent is at the other end of a socket.
 #pragma once
 
 #include <algorithm>

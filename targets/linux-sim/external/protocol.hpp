@@ -1,5 +1,5 @@
-// Protocol between a program and an external agent: datagrams over a socket that both
-// have from the beginning. Both are on one machine, so numbers are as it has them.
+// Protocol between a program and an external agent: datagrams over a socket that both inherit. Both
+// run on one machine, so numbers have the machine's native format.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A window, through SDL 2 if that is installed: it is looked for when the program runs.
+// A window, through SDL 2 if it is installed: the program looks for it at run time.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The gradients of all parts, added in the order of parts, by however many ranks.
+// Adds the gradients of all parts in the order of the parts, with any number of ranks.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// How the ranks of MPI begin a training.
+// Starts a training on the ranks of MPI.
 #pragma once
 
 #include "targets/environments/ranks/ranks.hpp"

@@ -1,4 +1,4 @@
-// Collective operations of ranks: one of them has a problem, and all say so.
+// Collective operations of ranks: a problem of one rank ends all of them.
 #pragma once
 
 #include <functional>
