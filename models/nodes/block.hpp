@@ -1,7 +1,8 @@
 // Shared parts of control blocks: messages as numbers, and constants of a configuration.
 //
-// Blocks are written so that `Real` may be a SIMD vector (eagerx/simd.hpp): a number chooses
-// with `select`, and only what is the same in all lanes (which messages there are) with `if`.
+// Blocks are written so that `Real` may be a SIMD vector (eagerx/simd.hpp): use `select` for
+// choices that depend on numbers, and `if` only for conditions that are the same in all lanes (the
+// messages of a window).
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
-// Contacts of points with the plane: compliant ones, which are part of the step's one
-// factorisation, and solved ones, whose impulses are found by a fixed number of sweeps (Hwangbo,
-// Lee, Hutter 2018).
+// Contacts of points with the plane: compliant contacts, which are part of the step's one
+// factorization, and solved contacts, whose impulses a fixed number of sweeps finds (Hwangbo, Lee,
+// Hutter 2018).
 #pragma once
 
 #include <cstddef>

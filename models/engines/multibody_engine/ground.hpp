@@ -1,5 +1,5 @@
-// The ground where it is not a level plane: tilted planes and height fields. Contacts then have
-// axes of their own: two along the ground and its normal.
+// Ground that is not a level plane: tilted planes and height fields. Each contact then has its own
+// axes: two along the ground, and its normal.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// What a step knows between its parts, and impulses on joints: of joints that follow others, and of
-// those that are faster than they may be.
+// Data that the parts of a step share, and impulses on joints that follow others or exceed their
+// speed limits.
 #pragma once
 
 #include <array>

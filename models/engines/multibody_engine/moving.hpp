@@ -1,4 +1,4 @@
-// A link while its equations are made: how it moves, and the mass of all that hangs on it.
+// A link during assembly of the equations: its motion, and the mass of its subtree.
 #pragma once
 
 #include <eagerx/math.hpp>

@@ -1,4 +1,4 @@
-// The engine of articulated robots that are known when the program is compiled.
+// The engine of articulated robots that are known at compile time.
 #pragma once
 
 #include <cstddef>

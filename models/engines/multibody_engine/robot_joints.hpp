@@ -1,4 +1,4 @@
-// The joints that a controller of a robot knows, and how the links follow them.
+// The joints in the model of a robot's controller, and the motion of its links.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Adaptive steps over SIMD vectors: each lane takes its own, as if it were integrated alone.
+// Adaptive steps over SIMD vectors: each lane takes its own steps, as if it were integrated alone.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// How the derivative of a model depends on its state.
+// The Jacobian of a model: the derivative of its equations by the state.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
-// Ground with heights: where shapes touch it. Contacts are those of MultibodyEngine: points of a
-// shape and the plane tangent to the ground below each. The library's own height field misses a
-// small ball on a ridge, and allocates memory during steps.
+// Contacts of shapes with a height field. Contacts are those of MultibodyEngine: points of a shape
+// and the plane tangent to the ground below each. The library's own height field misses a small
+// ball on a ridge, and allocates memory during steps.
 #pragma once
 
 #include <ode/ode.h>

@@ -1,5 +1,4 @@
-// RealEngine's data of each object: last values, next action, what is allowed, what went
-// wrong.
+// RealEngine's data of each object: last values, next action, limits, errors.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// How late something was and how long something took, counted by classes.
+// Histograms of lateness and durations.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Files of Linux: what the kernel does, and a handle that is all zero while it is closed.
+// Files of Linux: system calls, and a handle that is all zero while it is closed.
 #pragma once
 
 #include <fcntl.h>

@@ -105,7 +105,7 @@ class ButterworthFilter {
                          [&] { settle(sample, memory_[i]); });
       change_where<Real>(eagerx::isfinite(sample), memory_[i],
                          [&] { filtered = filter(sample, memory_[i]); });
-      // What overflowed is forgotten.
+      // Resets the state of an element that overflowed.
       const TruthOf<Real> lost = eagerx::isfinite(sample) && !eagerx::isfinite(filtered);
       change_where<Real>(lost, memory_[i], [&] { memory_[i] = {}; });
       start_.forget(i, lost);

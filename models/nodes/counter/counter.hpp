@@ -1,4 +1,4 @@
-// How often a signal has risen.
+// Counts the rising edges of a signal.
 #pragma once
 
 #include <array>

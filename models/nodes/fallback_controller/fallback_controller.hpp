@@ -1,4 +1,4 @@
-// One of two controllers, chosen by whether all is well.
+// Passes on a primary controller's output, or a fallback's while something is wrong.
 #pragma once
 
 #include <cstddef>
