@@ -294,7 +294,7 @@ TEST_F(UrdfMeshFiles, VisualsAreDrawn) {
   EXPECT_TRUE(none->facets.empty());
   EXPECT_EQ(header_text(*none).find("kFacets"), std::string::npos);
   EXPECT_EQ(manifest_text(*none).find("scene"), std::string::npos);
-  // What is only seen refuses no robot.
+  // Problems of visual elements do not reject a robot.
   const auto strange =
       arm("<visual><origin xyz='0 nan'/><geometry><mesh filename='package://arm/meshes/block.obj' "
           "scale='big'/></geometry></visual>",
