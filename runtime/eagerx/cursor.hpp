@@ -10,7 +10,7 @@
 
 namespace eagerx {
 
-/// All messages received up to a tick, and how many of them the window holds.
+/// The number of messages received up to a tick, and the number of them in the window.
 struct Received {
   Seq end;
   Seq held;
@@ -45,8 +45,8 @@ class FloorSequence {
   Rest rest_ = 0;
 };
 
-/// A delayed input: max(1, floor((A n - x) / B) + 1) messages by tick n, the first whatever the
-/// delay.
+/// A delayed input: max(1, floor((A n - x) / B) + 1) messages by tick n. Message 0 arrives
+/// regardless of the delay.
 template <std::int64_t A, std::int64_t B>
 class DelayCursor {
  public:

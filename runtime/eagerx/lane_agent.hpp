@@ -12,7 +12,7 @@
 namespace eagerx {
 namespace detail {
 
-/// The numbers of a SIMD vector as those of another, as static_cast does lane by lane.
+/// Converts the numbers of a SIMD vector to another type, like static_cast lane by lane.
 template <class To, class T, std::size_t N>
 To lanes_as(const Simd<T, N>& x) {
   if constexpr (std::is_same_v<To, Simd<T, N>>) {

@@ -39,7 +39,7 @@ class OneLane<Window<Message, SourceRate, Capacity, MaxSize, AlwaysFull>> {
   Received received_;
 };
 
-/// A message of one lane, from before and to behind a callback.
+/// Copies a message of one lane before and after a callback.
 template <class One, class Lanes>
 class OneMessage {
  public:

@@ -2,7 +2,7 @@
 #pragma once
 
 /// Called, if defined, when a program finds an invalid place in the schedule. It may end the
-/// program, as boards do; if it returns, or is not defined, the program counts.
+/// program, as on boards; if it returns, or is not defined, the program counts the fault.
 extern "C" [[gnu::weak]] void eagerx_memory_fault();
 
 namespace eagerx {

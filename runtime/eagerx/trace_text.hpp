@@ -85,7 +85,7 @@ class TraceText {
     out.text("\n");
   }
 
-  /// The last line: how many messages there were, and their hash. A file without it ended early.
+  /// The last line: the number of messages, and their hash. A file without it is incomplete.
   static void end(Writer& out, std::uint64_t messages, std::uint64_t hash) {
     constexpr unsigned kBitsPerDigit = 4;
     constexpr unsigned kBits = 64;
