@@ -92,7 +92,8 @@ constexpr std::size_t int8_place(std::size_t i) {
   std::uint32_t first;
   std::uint32_t second;
   std::uint32_t wide;
-  // The sums never overflow, so the flag that `smlad` sets does not matter. clang-format off
+  // The sums never overflow, so the flag that `smlad` sets does not matter.
+  // clang-format off
 #define EAGERX_POLICY_ROW(word, sum)             \
   "sxtb16 %[wide], " word "\n"                   \
   "smlad " sum ", %[wide], r4, " sum "\n"        \
