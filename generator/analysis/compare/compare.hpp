@@ -13,8 +13,9 @@ namespace eagerx::gen {
 using GraphFacts = std::map<std::string, std::string>;
 GraphFacts facts_of(const PlanInfo& report);
 
-/// A line for each difference: `-` only the first has it, `+` only the second, `~` both, but
-/// another value. Of an entity that only one has, one line. Empty if there is none.
+/// A line for each difference: `-` if only the first graph has it, `+` if only the second, `~` if
+/// both have it with different values. One line for an entity that only one has. Empty if there are
+/// no differences.
 std::string differences(const GraphFacts& first, const GraphFacts& second);
 
 }  // namespace eagerx::gen

@@ -9,7 +9,7 @@
 
 namespace eagerx::gen {
 
-/// Lines of their own, before the first and behind the last of a node.
+/// Separate lines before the first and after the last line of a node.
 std::string begin_mark(const std::string& node);
 std::string end_mark();
 

@@ -45,7 +45,7 @@ class PolicyTables {
 
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
   std::string take_bytes() { return std::move(bytes_); }
-  /// `rendered` with the texts in the places of their marks.
+  /// `rendered` with the marks replaced by their texts.
   [[nodiscard]] std::string put_blocks(const std::string& rendered) const;
 
  private:

@@ -48,7 +48,7 @@ inline std::uint64_t hash_of_part(std::uint64_t graph, std::string_view part) {
   return host::fnv1a(part, graph);
 }
 
-/// Reports what of a part only a program in C++ can do: E0350.
+/// Reports features of a part that only C++ supports: E0350.
 void check_languages(const Plan& plan, std::size_t part, Diagnostics& diagnostics);
 
 /// Its file name next to the program of a part.

@@ -25,7 +25,7 @@ struct Kind {
 /// Names of all kinds, sorted; empty if the templates are not found.
 std::vector<std::string> kinds_of_new();
 
-/// One kind. Problems: E0301 there is none, E02xx its kind.yaml is wrong.
+/// Reads a kind. Problems: E0301 an unknown kind, E02xx errors in its kind.yaml.
 std::optional<Kind> read_kind(const std::string& name, SourceMap& sources,
                               Diagnostics& diagnostics);
 

@@ -31,7 +31,7 @@ enum class Purpose : std::uint8_t {
   recording,   // the whole graph, with its agent, for a library that is cut out of it
 };
 
-/// A graph, and what replaces parts of its file.
+/// A graph, and options that override parts of its file.
 struct GraphOptions : LibraryOptions {
   std::string graph;
   std::string variant;                              // empty: the graph as it is written
@@ -46,7 +46,7 @@ struct GraphOptions : LibraryOptions {
   bool keep_processes = false;  // of a file that EAGERx saved: nodes with NEW_PROCESS become parts
 };
 
-/// And what is written of it.
+/// A graph and its output.
 struct GenerateOptions : GraphOptions {
   std::string output;  // a folder; empty: generated/<name of the graph>
   std::string depfile;

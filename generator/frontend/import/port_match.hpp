@@ -19,7 +19,7 @@ struct PortMatch {
   std::vector<InsidePort> open;                          // used outside, but nothing tells what for
 };
 
-/// By name, else by rate and space, else by what alone is left.
+/// Matches by name, then by rate and space, then by elimination.
 PortMatch match_ports(const SavedGraph& saved, const SavedObject& object,
                       const SavedEntity& backup);
 

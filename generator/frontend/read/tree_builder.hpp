@@ -52,7 +52,7 @@ class TreeBuilder : public YAML::EventHandler {
   [[nodiscard]] const std::vector<std::string>& anchor_names() const { return anchor_names_; }
 
  private:
-  /// A finished value and what a copy of it would cost.
+  /// A finished value, and the cost of a copy.
   struct Built {
     YamlValue yaml;
     std::size_t values = 1;

@@ -7,8 +7,8 @@
 
 namespace eagerx::gen {
 
-/// The one of `known` that `word` is in other libraries: `normal` for `gaussian`, `terminated` for
-/// `done`. Empty if there is none.
+/// The equivalent in `known` of a `word` of other libraries: `normal` for `gaussian`, `terminated`
+/// for `done`. Empty if there is none.
 std::string foreign_word(std::string_view word, const std::vector<std::string>& known);
 
 /// "true" for `yes`, `on`, `True`, `1`; "false" for their opposites; else empty.

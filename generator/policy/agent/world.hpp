@@ -5,9 +5,9 @@
 
 namespace eagerx::gen {
 
-/// E0704: what becomes of the outputs; E0705: bounds of actions; E0706: names and sizes of
-/// observations; E0707: rate; E0708: shape of an image. Each shows both sides. A
-/// warning where names cannot be compared.
+/// E0704: conversion of the outputs; E0705: bounds of actions; E0706: names and sizes of
+/// observations; E0707: rate; E0708: shape of an image. Each error shows both sides. A warning if
+/// names cannot be compared.
 void check_policy_world(const PolicyUse& use, const Network& network, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

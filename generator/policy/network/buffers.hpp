@@ -18,8 +18,8 @@ std::vector<std::size_t> last_uses_of(const Network& network);
 /// of its input, and needs no memory.
 std::optional<std::uint32_t> first_of_slice(const Layer& layer);
 
-/// Buffers of a network with branches. The result of a layer lies in a buffer whose values before
-/// are no longer needed, so that a layer's input and result never overlap.
+/// Buffers of a network with branches. The result of a layer is stored in a buffer whose previous
+/// values are no longer needed, so that a layer's input and result never overlap.
 struct BufferPlan {
   std::vector<std::size_t> sizes;                  // numbers of each buffer
   std::vector<std::optional<std::size_t>> places;  // of each layer; nothing: a slice, the action

@@ -12,7 +12,7 @@
 
 namespace eagerx::gen {
 
-/// Remembers that `path` is read. `name`: what messages call it (default: the path).
+/// Registers that `path` is read. `name`: its name in messages (default: the path).
 void remember_input(const std::string& path, const std::string& name = {});
 
 /// Remembers that `path` is going to be written, whether by this program or by one that it becomes.
@@ -27,7 +27,7 @@ struct OneFile {
 /// `written`: files that are about to be written. Nothing: all are different.
 std::optional<OneFile> find_one_file(const std::vector<std::string>& written = {});
 
-/// The name in messages of the input that lies at `path`, by any name or link; nothing: none.
+/// The name in messages of the input at `path`, by any name or link; nullopt if it is not an input.
 std::optional<std::string> input_at(const std::string& path);
 
 /// Forgets all of it: a test is many runs.

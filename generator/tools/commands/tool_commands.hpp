@@ -6,7 +6,8 @@
 
 namespace eagerx::gen {
 
-/// Steps a library that is cut out of a graph with what a simulation recorded, and compares.
+/// Steps a library that is cut out of a graph with the recorded messages of a simulation, and
+/// compares.
 Command pil_command();
 /// Prints the sampled loop of a graph as matrices, poles and margins.
 Command linearize_command();

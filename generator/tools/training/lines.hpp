@@ -20,7 +20,7 @@ class TrainingLines {
   /// The next line without its end; nothing after the last one, or with a problem if that has none.
   std::optional<std::string_view> next();
 
-  /// E0363: what is wrong with the line that next() gave. Returns false.
+  /// Reports a problem of the line that next() returned: E0363. Returns false.
   bool fail(const std::string& what);
   [[nodiscard]] bool has_failed() const { return has_failed_; }
 

@@ -38,8 +38,8 @@ class Archive {
   std::map<std::string, Entry, std::less<>> entries_;
 };
 
-/// Adds `more` unpacked bytes to `sum`. E0621, with `help`, if they are more than is read: many
-/// names may stand for the same entry.
+/// Adds `more` unpacked bytes to `sum`. E0621, with `help`, if the sum exceeds the limit: many
+/// names may refer to the same entry.
 bool count_unpacked(std::size_t more, std::size_t& sum, const char* help, PolicyProblem& problem);
 
 }  // namespace eagerx::gen

@@ -24,7 +24,7 @@ inline constexpr const char* kHistoryAsInput =
 
 class TorchInterpreter {
  public:
-  /// At most `*budget` statements; what is used is taken from it.
+  /// Executes at most `*budget` statements, and subtracts those executed.
   TorchInterpreter(TorchArchive& archive, NetCall::State& state, std::int64_t& budget,
                    PolicyProblem& problem)
       : archive_(archive), state_(state), budget_(budget), problem_(problem) {}
