@@ -16,7 +16,7 @@ using target::has_render;
 using target::kWidestPicture;
 using target::LastShown;
 
-/// The programs of a batch that draws; for a graph without `render:` there are none.
+/// The programs of a batch that draws; none for a graph without `render:`.
 template <class Graph>
 class DrawnPrograms {
  public:

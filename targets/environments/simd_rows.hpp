@@ -121,7 +121,7 @@ class RowWriter {
     (std::make_index_sequence<kWidth>{});
   }
 
-  /// f(row, where its four numbers are), from the first row to the last.
+  /// Calls f(row, pointer to its four numbers), from the first row to the last.
   template <class F>
   [[gnu::always_inline]] static void each_row(const Vector (&rows)[4], F&& f) {
     detail::unrolled<kBlocks>([&](auto block) {

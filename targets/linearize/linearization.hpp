@@ -118,8 +118,8 @@ class Linearization {
         .print(Graph::Rate::period_s * Program::kPhases);
   }
 
-  /// One hyperperiod with these derivatives, from where the program is; the program as it is then.
-  /// `seeds`: of the messages, by derivative; `words`: of the state.
+  /// Runs one hyperperiod with these derivatives from the program's current state; returns the
+  /// program after it. `seeds`: of the messages, by derivative; `words`: of the state.
   std::unique_ptr<Program> go(const std::vector<const Seed*>& seeds,
                               const std::vector<const Word*>& words) {
     auto copy = std::make_unique<Program>(*program_);
@@ -198,7 +198,7 @@ class Linearization {
     });
   }
 
-  /// The columns that runs give, kSeeds at a time.
+  /// Fills the columns from runs, kSeeds at a time.
   void fill_state(Matrix& a, Matrix& c) {
     a.assign(words_.size(), std::vector<double>(words_.size()));
     c.assign(outputs_.size(), std::vector<double>(words_.size()));

@@ -32,7 +32,7 @@ struct Seed {
   std::size_t message = kEach;  // which one of the run, or each
 };
 
-/// A value of an element of all messages of a channel, whatever is sent.
+/// A fixed value for an element of all messages of a channel.
 struct Held {
   std::uint32_t channel = 0;
   std::size_t element = 0;

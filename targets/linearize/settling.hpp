@@ -126,7 +126,7 @@ class Settling {
     }
     return true;
   }
-  /// The largest, of what each number was at most.
+  /// The largest change, relative to the maximum of each number.
   double change(const Numbers& x, const Numbers& next) {
     double most = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {

@@ -19,7 +19,7 @@ struct StepRequest {
   double size = 0.0;
 };
 
-/// Adds it to what readers get, and keeps what is sent.
+/// Adds the step for readers, and records the sent messages.
 struct AddedStep {
   std::uint32_t channel = 0;
   std::size_t element = 0;

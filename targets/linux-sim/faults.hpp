@@ -11,7 +11,7 @@
 
 namespace eagerx::linux_sim {
 
-/// Faults between a graph and its agent. The messages of the graph stay as they are.
+/// Faults between a graph and its agent. They do not change the messages of the graph.
 class AgentFaults {
  public:
   explicit AgentFaults(const Fields& fields);

@@ -48,7 +48,7 @@ struct TypeOf<Array<T, Shape...>> {
                                      kShape, sizeof...(Shape)};
 };
 
-/// The elements of a message, which is somebody else's.
+/// A view of the elements of a message, which it does not own.
 struct MessageView {
   void* data;
   Scalar scalar;

@@ -24,7 +24,7 @@ class Measures;
 class Publishing;
 class SceneRecord;
 
-/// A program's trace points to it, and so stays small. Programs call what is in the first part.
+/// A program's trace points to it, and so stays small. Programs call the first part.
 class Recorder {
  public:
   void episode(std::uint32_t index) { episode_ = index; }

@@ -149,7 +149,7 @@ class Decimal {
     notate(out, shortest_ + start, static_cast<int>(n), point);
   }
 
-  /// Rounds the value to `n` digits from `begin` into shortest_; true if that lies in the interval.
+  /// Rounds the value to `n` digits from `begin` into shortest_; true if that is in the interval.
   bool shortened(std::size_t begin, std::size_t n) {
     std::copy(value_, value_ + kExactDigits, shortest_);
     char* const cut = shortest_ + begin + n;

@@ -6,7 +6,7 @@
 
 namespace eagerx::board {
 
-/// Registers of 32 bits where the processor sees them: at numbers that the manual gives.
+/// 32-bit registers at the addresses in the manual.
 // NOLINTBEGIN(performance-no-int-to-ptr)
 struct MappedMemory {
   static std::uint32_t read(std::uintptr_t address) {

@@ -8,7 +8,7 @@
 namespace eagerx::train {
 
 /// safetensors: the layers as `policy.hidden.0.weight` …, `policy.action.bias`, a memory before
-/// them as `policy.memory.weight_ih_l0` …, and in the metadata what the policy was trained with:
+/// them as `policy.memory.weight_ih_l0` …, and in the metadata the conditions of the training:
 /// names and sizes of the observations, bounds of the actions, rate, hash of the graph's contract,
 /// seed, settings.
 std::string safetensors_of(const Policy& policy, const Description& description,

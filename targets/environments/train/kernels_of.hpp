@@ -33,7 +33,8 @@ struct KernelsOf {
         weights + j * sizes.inputs, sizes.inputs, {}, sizes.inputs};
     policy::LaneOutputs<Outputs, Vector>::run(part, bias + j, x->lane, y[j].lane);
   }
-  /// With the sums of programs (eagerx/policy/lane_sums.hpp): what is trained is what is deployed.
+  /// Uses the sums of programs (eagerx/policy/lane_sums.hpp), so that the trained network is the
+  /// deployed one.
   static void dense(DenseSizes sizes, const float* weights, const float* bias, const Simd* x,
                     Simd* y) {
     constexpr std::size_t kOutputs = policy::kOutputsAtATime;

@@ -23,7 +23,7 @@ class Window {
   Window& operator=(const Window&) = delete;
   ~Window();
 
-  /// Empty, or what is wrong.
+  /// Empty, or the problem.
   std::string open(const std::string& title, int width, int height);
   void show(const std::uint8_t* pixels);
   /// The input since the last call; waits for at most `wait_ms`.
