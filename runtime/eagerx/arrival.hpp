@@ -31,7 +31,7 @@ struct Arrivals {
   std::uint64_t overtaken = 0;   // messages that left their ring before they had arrived
   std::uint64_t unanswered = 0;  // episodes whose first observation never was complete
 
-  /// f(name, count) for each.
+  /// Calls f(name, count) for each count.
   template <class F>
   void for_each_count(F&& f) const {
     f("callbacks without a message", dropped);

@@ -226,7 +226,7 @@ struct GroupOf {
   };
 };
 
-/// The bodies of the base, where it floats.
+/// The bodies of a floating base.
 template <class Model>
 struct BaseOf {
   template <std::size_t part>

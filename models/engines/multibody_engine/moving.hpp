@@ -49,7 +49,7 @@ template <class Real>
   link.torque = link.inertia * al + cross(w, link.inertia * w) + cross(h, link.acceleration);
 }
 
-/// The parallel axes' theorem: what hangs on `link` hangs on `to`, too.
+/// Adds the subtree of `link` to `to`, by the parallel axis theorem.
 template <class Real>
 [[gnu::always_inline]] inline void hand_on(const Moving<Real>& link, Moving<Real>& to) {
   const Vec<Real>& r = link.arm;

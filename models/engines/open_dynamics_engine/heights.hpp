@@ -49,7 +49,7 @@ struct RigidHeights {
   }
 
  private:
-  /// Around the grid as at its edge; what is no number is at the corner.
+  /// Points outside the grid are moved to its edge, and NaN to the corner.
   [[nodiscard]] double in_cells(const Vector3& point, std::size_t axis) const {
     const double cells = (point[axis] - corner[axis]) / spacing;
     const auto most = static_cast<double>(points[axis] - 1);

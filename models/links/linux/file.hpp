@@ -36,7 +36,7 @@ class File {
     close<System>();
     return adopt(System::open(path, flags));
   }
-  /// Takes over what the kernel gave; false for a negative one.
+  /// Takes ownership of a descriptor; false if it is negative.
   bool adopt(int file) {
     plus_one_ = file < 0 ? 0 : file + 1;
     return is_open();

@@ -36,7 +36,7 @@ struct Functions {
   decltype(&dds_strretcode) strretcode;
 };
 
-/// Null, and what is wrong in `problem`: the library is not there.
+/// Null and a `problem` if the library is missing.
 const Functions* library(std::string& problem);
 
 }  // namespace eagerx::dds

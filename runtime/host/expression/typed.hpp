@@ -81,7 +81,7 @@ struct Names {
   NameForm form = NameForm::plain;
   std::function<std::string(const std::string& name)>
       help{};  // for an unknown name; empty: list the known names
-  /// If set, it gives the variable that another name means, or nothing.
+  /// If set, returns the variable that another name means, or an empty text.
   std::function<std::string(const std::string& name)> meant{};
 };
 

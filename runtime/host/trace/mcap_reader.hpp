@@ -35,10 +35,10 @@ class McapReader {
  public:
   explicit McapReader(McapListener& listener) : listener_(listener) {}
 
-  /// Takes all complete records from the front of `bytes`, whose rest is to come again with what
-  /// follows. False: it is not an MCAP file, or a part is wrong: problem().
+  /// Removes all complete records from the front of `bytes`; pass the rest again with the bytes
+  /// that follow. False if it is not an MCAP file, or is damaged: see problem().
   bool read(std::string_view& bytes);
-  /// Whether the end of the data was read: what follows are indexes.
+  /// Whether the end of the data was read; only indexes follow.
   bool is_complete() const { return is_complete_; }
   const std::string& problem() const { return problem_; }
 

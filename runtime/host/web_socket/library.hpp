@@ -36,10 +36,10 @@ struct Library {
 };
 extern Library lws;  // of the one library
 
-/// Who is idle for 10 s is asked whether it is there, and is gone after 30 s.
+/// Pings a peer that is idle for 10 s, and drops it after 30 s.
 inline constexpr lws_retry_bo_t kAliveness{nullptr, 0, 0, 10, 30, 0};
 
-/// Loads it. Empty, or what is wrong.
+/// Loads it. Empty, or the problem.
 std::string load();
 
 }  // namespace eagerx::web_socket
