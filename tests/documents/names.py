@@ -15,7 +15,7 @@ MADE = ("models/nodes/limited_gain/*", "build/*", "build-*", "generated/*", "fra
 
 
 class Names:
-    """What a folder has: whole paths, and every end of them, with and without what follows the dot."""
+    """The files of a folder: whole paths, and every suffix of them, with and without the extension."""
 
     def __init__(self, root, every):
         self.ends, self.tops = set(), set()

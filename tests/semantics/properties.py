@@ -1,4 +1,4 @@
-"""What must be true of every run, whatever was simulated."""
+"""Properties that must hold for every run of any simulation."""
 import random
 import re
 from fractions import Fraction

@@ -35,7 +35,7 @@ class Process:
             time.sleep(LOOK_S)
 
     def state(self):
-        """What it does, as in proc(5), and its seconds of processor time."""
+        """Its state, as in proc(5), and its processor time in seconds."""
         with open(f"/proc/{self.process.pid}/stat", encoding="ascii", errors="replace") as file:
             fields = file.read().rpartition(")")[2].split()
         return fields[0], (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
@@ -118,7 +118,7 @@ def cost_of(commands):
 
 
 class Way:
-    """What goes one way: greetings of known sizes, then records."""
+    """The bytes in one direction: greetings of known sizes, then records."""
 
     def __init__(self, source, target, greetings, attack):
         self.source, self.target, self.greetings, self.attack = source, target, list(greetings), attack

@@ -16,8 +16,9 @@ enum class Durability : std::uint8_t { synced, cached };
 
 /// A file that is written completely or not at all. It is written next to the file that `path`
 /// resolves to, with a new random name, and with owner and mode of the file it replaces. Targets
-/// that cannot be replaced are written in place: a device, a FIFO, a file of another owner or in a
-/// folder without write permission. A file without write permission is rejected, for root too.
+/// that cannot be replaced are written in place: a device, a FIFO, a file of another owner, or one
+/// in a folder that accepts no new files. A file without write permission is rejected, for root
+/// too.
 class AtomicFile {
  public:
   explicit AtomicFile(std::string path);

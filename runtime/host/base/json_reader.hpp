@@ -29,7 +29,7 @@ inline constexpr std::size_t kMostJsonValues = 20'000;
 
 /// Parses a JSON text (RFC 8259); nullopt if it is invalid, is nested deeper than kDeepestJson, or
 /// has more than `most_values`. Numbers become the nearest double; numbers beyond the range of
-/// double are invalid. Strings are not checked, except for their escapes.
+/// double are invalid. Strings are taken unchanged, except for escapes.
 std::optional<JsonValue> read_json(std::string_view text,
                                    std::size_t most_values = kMostJsonValues);
 
