@@ -1,4 +1,4 @@
-# What everything that is compiled with the runtime must have, for the target eagerx_runtime.
+# Requirements of all code that includes the runtime, as properties of the target eagerx_runtime.
 target_compile_features(eagerx_runtime INTERFACE cxx_std_20)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/flags.txt)
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/flags.txt eagerx_flags REGEX "^[^#]")

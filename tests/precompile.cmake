@@ -43,7 +43,7 @@ function(eagerx_precompile_first_headers)
     target_precompile_headers(${headers} PRIVATE <${first_${type_${kind}}}>)
     foreach(target IN LISTS of_${kind})
       target_precompile_headers(${target} REUSE_FROM ${headers})
-      # What a test adds to a program stays as it is.
+      # Sources that a test adds to a program are not precompiled.
       get_target_property(sources ${target} SOURCES)
       list(FILTER sources EXCLUDE REGEX "/main.cpp$")
       list(FILTER sources INCLUDE REGEX "\\.cpp$")

@@ -1,5 +1,5 @@
-// eagerx-gen: the commands that make and run programs. All others are those of eagerx-gen-tools,
-// which lies in the same folder: what the main job needs is built in half the time.
+// eagerx-gen: the commands that make and run programs. All others are in eagerx-gen-tools, in the
+// same folder, so that the main program builds in half the time.
 #include <algorithm>
 #include <array>
 #include <filesystem>

@@ -1,5 +1,5 @@
-// eagerx-gen-tools: all commands. People call it as eagerx-gen, which starts it for those that it
-// has not itself.
+// eagerx-gen-tools: all commands. Users call eagerx-gen, which starts this program for the commands
+// that it does not have.
 #include <algorithm>
 
 #include "generator/driver/commands/commands.hpp"

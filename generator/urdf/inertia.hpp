@@ -25,7 +25,7 @@ double ball_of_water(double mass);
 
 /// Whether every axis has a positive inertia.
 bool is_positive(const Vector3& inertia, const Vector3& products);
-/// Whether besides none is larger than that of both other principal axes together, but for
+/// Whether, in addition, none exceeds the sum of the other two principal moments, except for
 /// rounding.
 bool is_of_a_body(const Vector3& inertia, const Vector3& products);
 

@@ -1,4 +1,4 @@
-// Joints of several axes as chains of hinges and sliders.
+// Converts joints with several axes into chains of hinges and sliders.
 #include <array>
 #include <cmath>
 #include <iterator>

@@ -1,4 +1,4 @@
-// eagerx-urdf: a robot's description becomes an object for graphs.
+// eagerx-urdf: converts a robot's description into an object for graphs.
 #include <fmt/format.h>
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// Masses and inertia that no body has.
+// Masses and inertia that are physically impossible.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace eagerx::urdf {
 void give_masses(std::vector<Body>& bodies, gen::Diagnostics& diagnostics);
 /// An inertia that is not positive definite becomes that of a ball of water. Problems: E0856.
 void check_inertia(Body& body, gen::Diagnostics& diagnostics);
-/// What numbers that are too large make infinite is an error (E0853).
+/// Reports values that overflow to infinity (E0853).
 void check_finite(const Robot& robot, gen::Span place, gen::Diagnostics& diagnostics);
 
 }  // namespace eagerx::urdf

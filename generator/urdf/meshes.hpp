@@ -1,4 +1,4 @@
-// Meshes of collisions as the shapes that are simulated.
+// Converts collision meshes into shapes to simulate.
 #pragma once
 
 #include <optional>
@@ -40,7 +40,8 @@ Fitted smallest_box(const Triangles& triangles);
 /// As many spheres, at most `most`, as enclose all and reach `distance` beyond it at most.
 std::vector<Fitted> enclosing_spheres(const Triangles& triangles, double distance,
                                       std::size_t most);
-/// How far shapes reach beyond the convex hull of the mesh, in 1,000 directions the farthest [m].
+/// Maximum distance by which shapes extend beyond the convex hull of the mesh, over 1,000
+/// directions [m].
 double reach_beyond(const std::vector<Fitted>& shapes, const Triangles& triangles);
 
 enum class CollisionShapes : std::uint8_t { smallest, boxes, spheres, none };

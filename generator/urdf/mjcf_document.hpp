@@ -14,7 +14,7 @@
 
 namespace eagerx::urdf {
 
-/// Defaults of attributes; what it does not say, its parent says.
+/// Defaults of attributes; missing ones come from its parent.
 struct DefaultClass {
   std::string name;
   const DefaultClass* parent = nullptr;
@@ -78,7 +78,7 @@ class Document {
 /// An element with the defaults of its class.
 class Element {
  public:
-  /// Of the class that it names, else of `around`, the `childclass` of what it is in.
+  /// An element of the class that it names, otherwise of `around`, the `childclass` of its parent.
   Element(Document& document, pugi::xml_node own, const DefaultClass* around);
 
   [[nodiscard]] bool has(const char* attribute) const {
@@ -107,7 +107,7 @@ class Element {
   }
 
  private:
-  /// The element, or the default, that says what the attribute is; the element if none does.
+  /// The element or default that contains the attribute; the element if none does.
   [[nodiscard]] pugi::xml_node at(const char* attribute) const;
 
   Document& document_;
@@ -117,7 +117,7 @@ class Element {
 
 /// Everything in the element, of any kind but a section, is known (E0851).
 void check_known(Xml& xml, pugi::xml_node element);
-/// The same of what may be in `mujoco`.
+/// The same for the contents of `mujoco`.
 void check_sections(Xml& xml, pugi::xml_node root);
 bool is_actuator(std::string_view tag);
 

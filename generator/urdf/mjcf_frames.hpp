@@ -1,4 +1,4 @@
-// Angles, frames and inertia as `compiler` says that the description has them.
+// Angles, frames and inertia, interpreted as the element `compiler` says.
 #pragma once
 
 #include <optional>

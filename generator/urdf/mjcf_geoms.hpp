@@ -1,4 +1,4 @@
-// Geoms: what touches, and what has mass.
+// Geoms with contacts and geoms with mass.
 #pragma once
 
 #include <map>

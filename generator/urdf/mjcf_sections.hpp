@@ -1,4 +1,4 @@
-// Sections of MJCF about a robot as a whole.
+// Sections of MJCF that apply to the whole robot.
 #pragma once
 
 #include "generator/urdf/mjcf_frames.hpp"
@@ -12,7 +12,7 @@ struct Disabled {
 };
 /// `option`.
 Disabled read_options(Document& document, Description& description);
-/// Takes from the joints what is disabled.
+/// Removes disabled features from the joints.
 void disable(const Disabled& disabled, Description& description);
 /// `contact`: the pairs that can be simulated; of the others there is a warning.
 void read_contacts(Document& document, Description& description);

@@ -1,4 +1,4 @@
-// The tree of bodies, and what is about all of them.
+// Reads the tree of bodies, and the settings that apply to all of them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -79,7 +79,7 @@ class MjcfReader {
     return (geom.type & ground_affinity_) != 0 || (geom.affinity & ground_type_) != 0;
   }
 
-  /// What a body, or the world, has: `frame` is none of its own.
+  /// Collects the elements of a body or the world, including those inside `frame` elements.
   void gather(pugi::xml_node from, const Frame& frame, const DefaultClass* defaults, Parts& parts,
               std::size_t depth = 0) {
     document_.check(from);

@@ -1,4 +1,4 @@
-// A description as OpenDynamicsEngine wants it: bodies, joints, shapes in one frame.
+// A description in the form that OpenDynamicsEngine needs: bodies, joints and shapes in one frame.
 #pragma once
 
 #include <array>

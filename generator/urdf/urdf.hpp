@@ -1,4 +1,4 @@
-// A robot as its URDF or MJCF file describes it, typed.
+// The typed contents of a robot's URDF or MJCF file.
 #pragma once
 
 #include <limits>
@@ -41,7 +41,7 @@ struct Inertial {
   Vector3 products{};  // Ixy, Ixz, Iyz
 };
 
-/// Of the robot's mass, what a link between two axes of one body gets: it has none of its own.
+/// The share of the robot's mass for a massless link between two axes of one body.
 inline constexpr double kSmallShare = 1e-9;
 
 /// A file of triangles.
@@ -153,11 +153,11 @@ struct Description {
   std::vector<TouchingPair> pairs;
 };
 
-/// Reads what this library can simulate of URDF (http://wiki.ros.org/urdf/XML), or of MJCF where
-/// the first element is `mujoco`, by its own rules: an element that would change the motion and is
-/// not known is an error, those of other tools are left out with a note. Files of xacro are
-/// expanded by the program `xacro`. Problems: E0101 to E0103, E0850 (no XML), E0851 (not
-/// supported), E0852 (missing), E0853 (not the number it should be), E0854 (names).
+/// Reads the part of URDF that this library can simulate (http://wiki.ros.org/urdf/XML), or MJCF by
+/// its own rules if the first element is `mujoco`: an unknown element that would change the motion
+/// is an error; elements of other tools are left out with a note. Files of xacro are expanded by
+/// the program `xacro`. Problems: E0101 to E0103, E0850 (no XML), E0851 (not supported), E0852
+/// (missing), E0853 (not the number it should be), E0854 (names).
 std::optional<Description> read_file(const std::string& path, gen::SourceMap& sources,
                                      gen::Diagnostics& diagnostics);
 /// The same of a text.
@@ -171,7 +171,7 @@ void set_base(Description& description, bool is_free);
 /// mass.
 void expand_joints(Description& description);
 
-/// The text that the program `xacro` makes of a file. Problem: E0857.
+/// The output of the program `xacro` for a file. Problem: E0857.
 std::optional<std::string> expand_xacro(const std::string& path, gen::Span place,
                                         gen::Diagnostics& diagnostics);
 

@@ -1,4 +1,4 @@
-// XML with places, and strict about what is written.
+// A strict XML reader whose elements know their places.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct Contents {
   Names once = {};    // elements
   Names many = {};    // elements that may be there several times
   Names unseen = {};  // elements that do not change the motion
-  // With a note of what is left out:
+  // Left out with a note:
   Names ignored_attributes = {};
   Names ignored = {};  // elements
 };
@@ -43,8 +43,8 @@ class Xml {
 
   /// Everything in the element is one of `contents`, and not too often, or of another tool.
   void check(pugi::xml_node element, const Contents& contents);
-  /// Reports what check() left out: one note of what is known not to change the motion, one warning
-  /// (E0851) of the rest.
+  /// Reports the elements that check() left out: one note for those that do not change the motion,
+  /// one warning (E0851) for the rest.
   void report_left_out();
   /// Of another file of the same robot.
   void report_with(const Xml& other);

@@ -71,7 +71,7 @@ class ImmediateLink {
   /// The same as run(), because there is nothing to wait for.
   BusError post() { return run(); }
 
-  /// f(name, count) for each.
+  /// Calls f(name, count) for each count.
   template <class F>
   void for_each_count(F&& f) const {
     f("bus unsupported", count(BusError::unsupported));

@@ -1,7 +1,8 @@
 // Shared parts of control blocks: messages as numbers, and constants of a configuration.
 //
-// Blocks are written so that `Real` may be a SIMD vector (eagerx/simd.hpp): a number chooses
-// with `select`, and only what is the same in all lanes (which messages there are) with `if`.
+// Blocks are written so that `Real` may be a SIMD vector (eagerx/simd.hpp): use `select` for
+// choices that depend on numbers, and `if` only for conditions that are the same in all lanes (the
+// messages of a window).
 #pragma once
 
 #include <array>
@@ -50,8 +51,8 @@ constexpr Real seconds_at(const AnyTick& tick) {
   return result;
 }
 
-/// A sum that does not stall: what a long sum rounds away is kept, and added with the next term.
-/// TwoSum: Knuth, The Art of Computer Programming 2, 4.2.2, theorem B.
+/// A sum that does not stall: its rounding error is kept, and added with the next term. TwoSum:
+/// Knuth, The Art of Computer Programming 2, 4.2.2, theorem B.
 template <class Real>
 struct CompensatedSum {
   Real value{};
@@ -68,7 +69,7 @@ struct CompensatedSum {
     const Real lost = (value - (sum - added)) + (term - added);
     return {sum, select(eagerx::isfinite(lost), lost, Real(0))};
   }
-  /// The sum within limits, where nothing is left over.
+  /// The sum clamped to limits, without a remainder.
   [[nodiscard]] CompensatedSum within(const Real& low, const Real& high) const {
     const Real limited = eagerx::clamp(value, low, high);
     return {limited, select(limited == value, rest, Real(0))};
@@ -136,7 +137,7 @@ constexpr bool in_order(const std::array<double, L>& low, const std::array<doubl
   return true;
 }
 
-/// `x` moved by whole turns into [−turn/2, turn/2]; as it is where `turn` is 0.
+/// `x` moved by whole turns into [−turn/2, turn/2]; unchanged if `turn` is 0.
 template <class Real>
 constexpr Real within_turn(const Real& x, LaneOf<Real> turn) {
   if (!(turn > LaneOf<Real>(0))) return x;
@@ -151,7 +152,7 @@ constexpr Real row_times(const Matrix& matrix, std::size_t row, const Vector& x)
   return sum;
 }
 
-/// The last finite number, at first zero: what takes the place of one that is not finite.
+/// The last finite number, initially zero, which replaces a number that is not finite.
 template <class Real>
 struct Held {
   Real last{};
@@ -175,9 +176,9 @@ struct ResetNumber {
 };
 
 /// A parameter that a graph may make `tunable:`. If it does, Io::States has a state of this name,
-/// `Settable`, and a reset may set the number; else it is the constant, and nothing is stored. With
-/// `tunable: running` the class's tune() sets it, too, which its reset() calls.
-/// `Number` tells the parameters of a class apart, so that none of them takes memory.
+/// `Settable`, and a reset may set the number; otherwise it is the constant, and nothing is stored.
+/// With `tunable: running`, the class's tune(), which its reset() calls, also sets it. `Number`
+/// distinguishes the parameters of a class, so that constant ones take no memory.
 template <class Real, bool Settable, int Number>
 struct Tunable {
   ResetNumber<Real> number{};

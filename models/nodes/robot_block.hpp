@@ -1,4 +1,4 @@
-// Shared parts of blocks that know a robot: its joints, messages as numbers, and torques with
+// Shared parts of blocks with a model of a robot: its joints, messages as numbers, and torques with
 // limits.
 #pragma once
 

@@ -9,8 +9,8 @@
 
 namespace eagerx {
 
-/// Moves it into the space of the actuator, and counts how often it was not: part of the guard, or,
-/// if the agent is in another program, of the one that has the actuators.
+/// Moves the action into the space of the actuator, and counts how often that was necessary. Part
+/// of the guard or, if the agent is in another program, of the program with the actuators.
 template <std::size_t Actions>
 class ActuatorBounds : public ChannelCounts<Actions> {
  public:

@@ -1,4 +1,4 @@
-// Between observations, a policy's numbers, and actions.
+// Converts observations into a policy's inputs, and its outputs into actions.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace eagerx {
 
 /// Writes the messages of an observation, oldest first, each flat, to `input` from `position` on,
-/// and moves `position` behind them: the order of Gymnasium's flatten().
+/// and moves `position` past them: the order of Gymnasium's flatten().
 template <class Observed, std::size_t N>
 void flatten(const Observed& window, float (&input)[N], std::size_t& position) {
   using Message = typename Observed::value_type;
@@ -20,8 +20,8 @@ void flatten(const Observed& window, float (&input)[N], std::size_t& position) {
   }
 }
 
-/// The same of a node's input, always as many messages as its window can hold: missing ones at the
-/// front are copies of the oldest, or zero before the first message.
+/// The same for a node's input, always with as many messages as its window can hold: missing ones
+/// at the front are copies of the oldest, or zero before the first message.
 template <class Input, std::size_t N>
 void flatten_padded(const Input& window, float (&input)[N], std::size_t& position) {
   using Message = typename Input::value_type;
@@ -59,7 +59,7 @@ Message unscaled(Message action, const Space<Message>& space) {
   return action;
 }
 
-/// The action of a policy that chooses among whole numbers: the `index`-th from the lowest on.
+/// The action of a policy that chooses a whole number: the lowest one plus `index`.
 template <class Message>
 Message choice(const Space<Message>& space, std::size_t index) {
   Message action{};
@@ -68,8 +68,8 @@ Message choice(const Space<Message>& space, std::size_t index) {
   return action;
 }
 
-/// The next choices of a policy, one for each number: of as many outputs as the number has values
-/// the index of the largest, the first of equal ones, from its lowest value on.
+/// The next choices of a policy, one for each number. Each number has as many outputs as values;
+/// the choice is its lowest value plus the index of the largest output, the first of equal ones.
 template <class Message, std::size_t N>
 Message choices(const Space<Message>& space, const float (&output)[N], std::size_t& position) {
   using Scalar = ScalarOf<Message>;
@@ -87,7 +87,7 @@ Message choices(const Space<Message>& space, const float (&output)[N], std::size
   return action;
 }
 
-/// The next elements of an action that are 1 where an output is above zero, else 0.
+/// The next elements of an action: 1 if the output is above zero, else 0.
 template <class Message, std::size_t N>
 Message bits(const float (&output)[N], std::size_t& position) {
   Message action{};

@@ -1,4 +1,4 @@
-// Asynchronous inputs: which messages a callback sees is decided by the clock, not by counting.
+// Asynchronous inputs: the clock, not a count, decides which messages a callback sees.
 // SEMANTICS §10.
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace eagerx {
 
-/// How many messages a node has sent since the reset, and when it sent the last `Capacity` ones, in
-/// nanoseconds of the engine's clock.
+/// The number of messages that a node has sent since the reset, and the times of the last
+/// `Capacity` ones, in nanoseconds of the engine's clock.
 template <std::uint32_t Capacity>
 class Sent {
  public:
@@ -31,7 +31,7 @@ struct Arrivals {
   std::uint64_t overtaken = 0;   // messages that left their ring before they had arrived
   std::uint64_t unanswered = 0;  // episodes whose first observation never was complete
 
-  /// f(name, count) for each.
+  /// Calls f(name, count) for each count.
   template <class F>
   void for_each_count(F&& f) const {
     f("callbacks without a message", dropped);
@@ -40,9 +40,9 @@ struct Arrivals {
   }
 };
 
-/// An input of a ring of `Capacity` messages: those that were sent at least `delay_ns` ago have
-/// arrived. `MaxSize` is the most that its window holds; the ring's sender may write
-/// one more message while the window is read.
+/// An input that reads a ring of `Capacity` messages: messages sent at least `delay_ns` ago have
+/// arrived. `MaxSize` is the maximum size of its window; the ring's sender may write one more
+/// message while the window is read.
 template <std::uint32_t Capacity, std::uint32_t MaxSize>
 class ArrivalCursor {
   static_assert(MaxSize + 1 < Capacity);
@@ -65,7 +65,7 @@ class ArrivalCursor {
     while (total_ < sent && now_ns - source.at_ns(total_) >= delay_ns_) ++total_;
     return total_;
   }
-  /// For window 0: those that have arrived since the last call.
+  /// For window 0: the messages that have arrived since the last call.
   template <std::uint32_t Stamps>
   constexpr Received take_new(const Sent<Stamps>& source, std::int64_t now_ns, Arrivals& arrivals) {
     const Seq before = total_;

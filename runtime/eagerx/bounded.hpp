@@ -1,20 +1,20 @@
-// Loops with a limit, for the bound of instructions that `eagerx-gen size --worst` finds in an
-// image.
+// Loops with a limit, so that `eagerx-gen size --worst` can bound the instructions of an image.
 #pragma once
 
 #include <cstdint>
 
 namespace eagerx {
 
-/// In a loop's step or condition: since the loop was entered it was passed at most `Most` times.
-/// No instruction: an address and a number in a section of the image that is not loaded.
-/// For the runtime and boards, in loops that the compiler cannot unroll because they end when the
-/// hardware says so: a copy of the note in a loop around it would be taken for that one's. Nothing
-/// checks it. In all other loops take `bounded`.
+/// Put it into a loop's step or condition: it executes at most `Most` times after the loop is
+/// entered. It adds no instruction, only an address and a number in a section of the image that is
+/// not loaded. Use it in the runtime and for boards, in loops that the compiler cannot unroll
+/// because the hardware ends them: a copy of the note in an outer loop would count for that loop.
+/// Nothing checks the bound. In all other loops, use `bounded`.
 template <std::uint32_t Most>
 [[gnu::always_inline]] inline void note_turns() {
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
-  // A name with .debug_ is what linkers keep without loading it, with what it points to or not.
+  // Linkers keep a section named .debug_… without loading it, whether or not they keep the code
+  // that it refers to.
   asm inline volatile(
       "0:\n"
       "\t.pushsection .debug_eagerx_loops,\"\",%%progbits\n"
@@ -24,14 +24,14 @@ template <std::uint32_t Most>
 #endif
 }
 
-/// In a loop that waits for a time or for a device: its iterations take no work, and only one is
+/// Put it into a loop that waits for a time or a device: its iterations do no work, and only one is
 /// counted.
 [[gnu::always_inline]] inline void note_wait() {
   note_turns<0>();
 }
 
-/// The numbers 0, 1, … below `count`, and never more than `Most` of them: the comparison with
-/// `Most` is what the bound is found by.
+/// The numbers 0, 1, … below `count`, but at most `Most` of them. The bound is found from the
+/// comparison with `Most`.
 template <std::uint32_t Most>
 class Bounded {
  public:
@@ -59,7 +59,7 @@ class Bounded {
   std::uint32_t end_;
 };
 
-/// A loop that turns `count` times, but at most `Most` times, whatever `count` is:
+/// A loop with `count` iterations, but at most `Most`, whatever `count` is:
 ///   for (const std::uint32_t i : eagerx::bounded<16>(in.joints)) …
 /// Without a count, `Most` times; leave it earlier with `break`:
 ///   for ([[maybe_unused]] const std::uint32_t i : eagerx::bounded<20>()) { if (close(x)) break; …

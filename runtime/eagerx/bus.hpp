@@ -1,4 +1,4 @@
-// Buses to sensors and actuators: what a driver may ask of one, whatever carries the bytes.
+// Buses to sensors and actuators: the interface for drivers, independent of the transport.
 //
 // A bus takes transfers and carries them out in order when run() is called, so that one over USB
 // needs one round trip for all of them; a board's own bus may carry each out at once. Buffers that
@@ -38,7 +38,7 @@ constexpr const char* name_of(BusError error) {
 }
 inline constexpr std::size_t kBusErrors = static_cast<std::size_t>(BusError::out_of_range) + 1;
 
-/// A device on a SPI bus, most significant bit first, select line low while it is spoken to.
+/// A device on an SPI bus, most significant bit first, select line low during transfers.
 struct SpiDevice {
   std::uint8_t select;   // number of its select line
   std::uint8_t mode;     // 2·CPOL + CPHA
@@ -76,15 +76,15 @@ concept GpioBus = requires(B& bus, std::uint8_t pin, bool level, bool& in) {
   { bus.run() } -> std::same_as<BusError>;
 };
 
-/// A serial line. write(out, n) sends; read(in, n) waits for n bytes, at most as long as the line
-/// was opened for.
+/// A serial line. write(out, n) sends; read(in, n) waits for n bytes, at most for the time-out with
+/// which the line was opened.
 template <class B>
 concept UartBus = requires(B& bus, const std::uint8_t* out, std::uint8_t* in, std::size_t n) {
   { bus.write(out, n) } -> std::same_as<BusError>;
   { bus.read(in, n) } -> std::same_as<BusError>;
 };
 
-/// Bytes of a number as they go over a wire.
+/// Bytes of a number, as sent over a wire.
 constexpr std::uint8_t high_byte(std::uint16_t word) {
   return static_cast<std::uint8_t>(word >> 8U);
 }

@@ -1,11 +1,11 @@
-// Properties of a published message that are known before the program runs.
+// Static properties of a published message.
 #pragma once
 
 #include <cstdint>
 
 namespace eagerx {
 
-/// Who publishes it.
+/// The publisher of a channel.
 enum class Publisher : std::uint8_t { environment, engine, engine_node, node };
 
 /// One channel of the trace; its number is its place in Graph::kChannels.
@@ -15,20 +15,20 @@ struct Channel {
   std::uint64_t size;  // elements of a message
   std::uint64_t rate_num, rate_den;  // [Hz]
   Publisher publisher;
-  // As graphs call it: "smooth.filtered", "pendulum.theta", "actions.u", "arm.x, arm.same".
+  // Its names in graphs: "smooth.filtered", "pendulum.theta", "actions.u", "arm.x, arm.same".
   const char* port = "";
-  /// The bounds of its space, if it has any: in Graph::kBounds from `first` on, `bounds` of them,
-  /// one for all elements or one for each.
+  /// The bounds of its space, if any: `bounds` entries of Graph::kBounds from `first` on, one for
+  /// all elements or one for each.
   std::uint32_t first = 0, bounds = 0;
 };
 
-/// Of a channel whose messages are not one number.
+/// Shape of a channel whose messages are not one number.
 struct ChannelShape {
   std::uint32_t channel;
   const char* sizes;  // "4x3"
 };
 
-/// Of a channel that is also a port of a composite, which is how the graph calls it.
+/// Name of a channel in the graph, if it is also a port of a composite.
 struct ChannelAlias {
   std::uint32_t channel;
   const char* port;  // "robot.speed"

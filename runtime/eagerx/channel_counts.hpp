@@ -7,7 +7,8 @@
 
 namespace eagerx {
 
-/// f("what: name", count). The text is valid during the call; it ends at 127 letters.
+/// Calls f("what: name", count). The text is valid during the call, and cut off after 127
+/// characters.
 template <class F>
 void tell_count(F&& f, const char* what, const char* name, std::uint64_t count) {
   constexpr std::size_t kLongest = 127;
@@ -20,7 +21,7 @@ void tell_count(F&& f, const char* what, const char* name, std::uint64_t count) 
   f(static_cast<const char*>(text), count);
 }
 
-/// One count for each of `N` channels. All zero at first.
+/// One count for each of `N` channels, initially zero.
 template <std::size_t N>
 class ChannelCounts {
  public:

@@ -1,6 +1,6 @@
-// How many messages an input has received, where that is not simply its source's counter:
-// SEMANTICS §3. Additions only; with source rate / own rate = A/B in lowest terms and
-// x = ceil(B · source rate · delay).
+// Counts the messages that an input has received, if that is not simply its source's counter:
+// SEMANTICS §3. Additions only; with source rate / own rate = A/B in lowest terms and x = ceil(B ·
+// source rate · delay).
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace eagerx {
 
-/// All messages received up to a tick, and how many of them the window holds.
+/// The number of messages received up to a tick, and the number of them in the window.
 struct Received {
   Seq end;
   Seq held;
@@ -45,8 +45,8 @@ class FloorSequence {
   Rest rest_ = 0;
 };
 
-/// A delayed input: max(1, floor((A n - x) / B) + 1) messages by tick n, the first whatever the
-/// delay.
+/// A delayed input: max(1, floor((A n - x) / B) + 1) messages by tick n. Message 0 arrives
+/// regardless of the delay.
 template <std::int64_t A, std::int64_t B>
 class DelayCursor {
  public:

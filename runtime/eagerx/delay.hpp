@@ -1,4 +1,4 @@
-// Delays that a reset may change: from seconds to what the cursors count in.
+// Delays that a reset may change: converts seconds into the units of cursors.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@ namespace eagerx {
 /// cursor.hpp. Counting nanoseconds keeps a decimal such as 0.06 s exact.
 template <std::int64_t Num, std::int64_t Den, std::int64_t LongestNs>
 struct DelayQuanta {
-  /// Whether there is memory for this delay in seconds.
+  /// Whether the ring has memory for this delay in seconds.
   static constexpr bool accepts(double delay_s) {
     constexpr double kLongest_s = static_cast<double>(LongestNs) / kNsPerSecond;
     return delay_s >= 0.0 && delay_s <= kLongest_s;
   }
-  /// A delay that is not accepted counts as the nearest that is; NaN as 0.
+  /// A delay that is not accepted counts as the nearest one that is, and NaN as 0.
   static constexpr std::int64_t of(double delay_s) {
     if (!(delay_s > 0.0)) return 0;
     constexpr double kHalf = 0.5;

@@ -1,8 +1,8 @@
-// Messages as Eigen vectors and matrices, without a copy. Only for entities that ask for it:
-// nothing else of the runtime needs Eigen.
+// Messages as Eigen vectors and matrices, without a copy. Only for entities that include it:
+// nothing else in the runtime needs Eigen.
 //
-// Sums in Eigen's products are in an order of its own, which depends on the instruction set:
-// entities that must give the same bits everywhere use it for storage and element-wise arithmetic.
+// The order of sums in Eigen's products depends on the instruction set: entities that must give the
+// same bits everywhere use Eigen for storage and element-wise arithmetic only.
 #pragma once
 
 #ifndef EIGEN_NO_MALLOC

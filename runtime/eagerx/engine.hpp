@@ -1,4 +1,4 @@
-// How a program starts, resets, makes safe and stops its engine, and what everything counts.
+// Start, reset, safe state and stop of a program's engine, and all counts of a run.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 namespace eagerx {
 
-/// Once, before the first reset: engine.start(simulators...) where the engine has one, else every
-/// simulator's reset(). An engine that is built on a library gets its memory here.
+/// Once, before the first reset: calls engine.start(simulators...) if the engine has it, otherwise
+/// every simulator's reset(). An engine that uses a library allocates its memory here.
 template <class Engine, class... Simulators>
 void start(Engine& engine, Simulators&... simulators) {
   if constexpr (requires { engine.start(simulators...); }) {
@@ -17,8 +17,8 @@ void start(Engine& engine, Simulators&... simulators) {
   }
 }
 
-/// At every reset, after the engine states: engine.reset(states, simulators...) where the engine
-/// has one, else engine.reset(states).
+/// At every reset, after the engine states: calls engine.reset(states, simulators...) if the engine
+/// has it, otherwise engine.reset(states).
 template <class Engine, class States, class... Simulators>
 void reset_engine(Engine& engine, const States& states, Simulators&... simulators) {
   if constexpr (requires { engine.reset(states, simulators...); }) {
@@ -28,8 +28,8 @@ void reset_engine(Engine& engine, const States& states, Simulators&... simulator
   }
 }
 
-/// Whether the engine acts on the world itself, so that nothing can be tried or repeated: it says
-/// `static constexpr bool kReal = true`.
+/// Whether the engine acts on the real world, so that nothing can be tried or repeated: such an
+/// engine has `static constexpr bool kReal = true`.
 template <class Engine, class... Simulators>
 constexpr bool is_real(const Engine& /*engine*/, const Simulators&... /*simulators*/) {
   if constexpr (requires { Engine::kReal; }) {
@@ -39,26 +39,26 @@ constexpr bool is_real(const Engine& /*engine*/, const Simulators&... /*simulato
   }
 }
 
-/// In the middle of a slot, when the rest of the graph is silent: engine.make_safe(simulators...)
-/// where the engine has one.
+/// In the middle of a slot, if the rest of the graph does not answer: calls
+/// engine.make_safe(simulators...) if the engine has it.
 template <class Engine, class... Simulators>
 void make_safe(Engine& engine, Simulators&... simulators) {
   if constexpr (requires { engine.make_safe(simulators...); }) engine.make_safe(simulators...);
 }
 
-/// At the end of a run: engine.stop(simulators...) where the engine has one.
+/// At the end of a run: calls engine.stop(simulators...) if the engine has it.
 template <class Engine, class... Simulators>
 void stop(Engine& engine, Simulators&... simulators) {
   if constexpr (requires { engine.stop(simulators...); }) engine.stop(simulators...);
 }
 
-/// f(name, count) for everything that `part`, an engine or a simulator, counts.
+/// Calls f(name, count) for each count of `part`, an engine or a simulator.
 template <class F, class Part>
 void for_each_count_of(F& f, const Part& part) {
   if constexpr (requires { part.for_each_count(f); }) part.for_each_count(f);
 }
 
-/// The same for a node, whose counts are called "name: count". The text is valid during the call.
+/// The same for a node, whose counts are named "name: count". The text is valid during the call.
 template <class F, class Node>
 void for_each_count_of_node(F& f, const char* name, const Node& node) {
   node.for_each_count(

@@ -1,5 +1,5 @@
-// Whether the processor calculates as everywhere else: a library, or a program that is linked with
-// -ffast-math, can tell it to take denormal numbers for zero, and then bits differ.
+// Checks the floating-point mode of the processor: a library, or linking with -ffast-math, can make
+// it flush denormal numbers to zero, and then bits differ.
 #pragma once
 
 #include <bit>
@@ -7,11 +7,11 @@
 
 namespace eagerx {
 
-/// True if denormal numbers are kept, as results and as operands, and results are rounded to the
-/// nearest. Found out by calculating, so that it holds for every machine.
+/// True if the processor keeps denormal results and operands, and rounds to nearest. Tests this by
+/// calculation, so that it works on every machine.
 inline bool calculates_as_everywhere() {
-  // Bits are compared, because a comparison of numbers may take denormal ones for zero, too; and
-  // the compiler must leave each calculation to the processor.
+  // Compares bits, because a comparison of numbers may also treat denormals as zero. `volatile`
+  // leaves each calculation to the processor.
   const volatile float least = 0x1p-126F;
   const volatile float denormal = 0x1p-149F;
   const volatile float one = 1.0F;
@@ -22,7 +22,7 @@ inline bool calculates_as_everywhere() {
   bool right = bits(least * half) == 0x0040'0000U && bits(denormal + denormal) == 2U &&
                bits(one + above) == bits(1.0F) && bits(one - below) == bits(1.0F);
 #if !defined(__arm__) || (defined(__ARM_FP) && (__ARM_FP & 8) != 0)
-  // Without a unit for doubles no mode has to do with them, and a board saves the functions.
+  // Without a double-precision unit, no mode affects doubles, and a board saves the functions.
   const volatile double least_d = 0x1p-1022;
   const volatile double denormal_d = 0x1p-1074;
   const volatile double one_d = 1.0;

@@ -1,4 +1,5 @@
-// The guard of a program's actions: what reaches the actuators instead of the agent's action.
+// The guard of a program's actions: decides what reaches the actuators instead of the agent's
+// action.
 #pragma once
 
 #include <array>
@@ -16,8 +17,8 @@
 
 namespace eagerx {
 
-/// The settings of `safety:` in the graph: when the safe action takes the agent's place, and when
-/// it ends.
+/// Implements `safety:` of the graph: when the safe action replaces the agent's, and when the agent
+/// takes over again.
 template <class Limits>
 class Takeover {
  public:
@@ -30,8 +31,8 @@ class Takeover {
     seen_ = true;
   }
 
-  /// An observation that has no message yet because the graph says so (`skip`) is not a fault; one
-  /// that is padded for another reason is not a number.
+  /// An observation without a message because of `skip` is not a fault; padding for another reason
+  /// is NaN.
   void see(const Observation& observation) {
     seen_ = true;
     std::size_t channel = 0;
@@ -107,11 +108,11 @@ class Takeover {
 /// A graph without `safety:`: no safe action takes over.
 struct NoTakeover {};
 
-/// Every action goes through check(). What comes out is finite, within the space of the action, and
-/// within those of the actuators that it is connected to: an action that is not finite becomes the
-/// safe one, one out of its space is moved into it, and both are counted. With `safety:` in the
-/// graph, the safe action takes the agent's place as that says. `Limits` is the generated struct of
-/// that name. All zero until the first reset().
+/// Every action passes through check(). The result is finite, within the space of the action, and
+/// within those of the connected actuators: the safe action replaces a non-finite one, an action
+/// out of its space is moved into it, and both are counted. With `safety:` in the graph, the safe
+/// action replaces the agent's as specified there. `Limits` is the generated struct of that name.
+/// All zero until the first reset().
 template <class Limits>
 class Guard {
  public:
@@ -119,7 +120,7 @@ class Guard {
   using Observation = typename Limits::Observation;
   static constexpr bool kTakesOver = Limits::kSafety.declared;
 
-  /// An episode begins: a safe action that only a reset ends is over.
+  /// Begins an episode: ends a safe action that only a reset ends.
   void reset() {
     if constexpr (kTakesOver) takeover_.reset();
   }
@@ -128,8 +129,8 @@ class Guard {
   void see(const Observation& observation) {
     if constexpr (kTakesOver) takeover_.see(observation);
   }
-  /// The same of an observation whose numbers are elsewhere: all are finite, or, from the first
-  /// channel to the last, those of each are finite or not.
+  /// The same for an observation that is stored elsewhere: all numbers are finite, or saw() is
+  /// called for each channel, from the first to the last.
   void saw_numbers() {
     if constexpr (kTakesOver) takeover_.saw_numbers();
   }
@@ -137,8 +138,8 @@ class Guard {
     if constexpr (kTakesOver) takeover_.saw(channel, is_finite);
   }
 
-  /// The action that replaces `action`. `late_in_a_row`: instants up to now that were later than
-  /// `max_lateness`; without `safety:` nothing is too late.
+  /// Returns the action to apply instead of `action`. `late_in_a_row`: number of consecutive
+  /// instants, up to now, later than `max_lateness`; without `safety:` nothing is too late.
   Action check(Action action, std::uint64_t late_in_a_row) {
     if constexpr (kTakesOver) {
       action = takeover_.check(action, late_in_a_row);
@@ -148,8 +149,7 @@ class Guard {
     return is_applicable(action) ? action : corrected(action);
   }
 
-  /// The safe action, for the end of a run before its time: an interrupt, or a board that is too
-  /// late.
+  /// The safe action, for a run that ends early: an interrupt, or a board that is too late.
   Action stop() {
     if constexpr (kTakesOver) takeover_.stop();
     const Action safe = Limits::safe();
@@ -162,7 +162,7 @@ class Guard {
     return beyond_.within(channel, space, message);
   }
 
-  /// f(name, count) for each.
+  /// Calls f(name, count) for each count.
   template <class F>
   void for_each_count(F&& f) const {
     if constexpr (kTakesOver) takeover_.for_each_count(f);
@@ -177,7 +177,7 @@ class Guard {
   friend class LaneGuard;
 
  private:
-  /// Whether nothing needs to be done, which is one comparison where bounds are symmetric.
+  /// Whether the action can be applied unchanged: one comparison if bounds are symmetric.
   static bool is_applicable(Action action) {
     bool applicable = true;
     Limits::for_each_applied(action, [&](const auto& message, const auto& space) {
@@ -189,7 +189,7 @@ class Guard {
     return applicable;
   }
 
-  /// Rare, so it is kept out of the way.
+  /// Rare, so it is kept out of the hot path.
   [[gnu::noinline, gnu::cold]] Action corrected(Action action) {
     bool finite = true;
     std::size_t channel = 0;

@@ -1,5 +1,6 @@
 // Indexes of messages and windows. With EAGERX_CHECKS, which debug builds and sanitizers define,
-// each is compared with the size, and the program ends with the place in the node that wrote it.
+// each index is checked, and an index out of range ends the program with its place in the node's
+// source.
 #pragma once
 
 #ifdef EAGERX_CONSTANT_INDEXES  // defined by `eagerx-gen check --compile`
@@ -8,10 +9,10 @@
 
 namespace eagerx {
 
-/// Never defined: the compiler warns of each call that is left.
+/// Never defined: the compiler warns about each remaining call.
 [[gnu::warning("index is outside of the message")]] void index_is_outside();
 
-/// An index; if it is a constant that the compiler knows, one below Size.
+/// An index. If the compiler knows its value, it must be below Size.
 template <std::size_t Size>
 [[gnu::always_inline]] constexpr std::size_t known_below(std::size_t i) {
   if (__builtin_constant_p(i) && i >= Size) index_is_outside();
@@ -26,22 +27,22 @@ template <std::size_t Size>
 #include <cstdint>
 #include <source_location>
 
-/// Says what is wrong and ends the program; on Linux, runtime/host/base has it.
+/// Reports the index and ends the program. On Linux, runtime/host/base defines it.
 extern "C" [[gnu::weak]] void eagerx_index_is_outside(const char* file, std::uint_least32_t line,
                                                       const char* function, const char* of,
                                                       std::size_t index, std::size_t size);
 
 namespace eagerx {
 
-/// A number, and the place where it became an index.
+/// A number, and the place in the source where it became an index.
 class Index {
  public:
-  // Not explicit, so that `message[i]` stays what it is.
+  // Not explicit, so that `message[i]` compiles.
   constexpr Index(  // NOLINT(google-explicit-constructor)
       std::size_t value, std::source_location place = std::source_location::current())
       : value_(value), place_(place) {}
 
-  /// `of` what: "message", "window". It has `size` elements.
+  /// `of`: what is indexed, "message" or "window", with `size` elements.
   constexpr std::size_t below(std::size_t size, const char* of) const {
     if (value_ < size) return value_;
     if (eagerx_index_is_outside != nullptr)

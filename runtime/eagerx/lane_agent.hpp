@@ -1,5 +1,4 @@
-// Between SIMD vectors of observations, a policy's numbers, and actions: as eagerx/agent.hpp, lane
-// by lane the same.
+// Conversions like those of eagerx/agent.hpp for SIMD vectors, with the same results in each lane.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +12,7 @@
 namespace eagerx {
 namespace detail {
 
-/// The numbers of a SIMD vector as those of another, as static_cast does lane by lane.
+/// Converts the numbers of a SIMD vector to another type, like static_cast lane by lane.
 template <class To, class T, std::size_t N>
 To lanes_as(const Simd<T, N>& x) {
   if constexpr (std::is_same_v<To, Simd<T, N>>) {

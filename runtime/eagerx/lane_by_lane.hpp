@@ -1,5 +1,5 @@
-// Lane-by-lane parts of a SIMD group: nodes and processors that are written for plain
-// numbers. They see and give the same messages as in their environment's own program.
+// Lane-by-lane parts of a SIMD group: nodes and processors that are written for plain numbers. They
+// receive and send the same messages as in the program of a single environment.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ class OneLane<Window<Message, SourceRate, Capacity, MaxSize, AlwaysFull>> {
   Received received_;
 };
 
-/// A message of one lane, from before and to behind a callback.
+/// Copies a message of one lane before and after a callback.
 template <class One, class Lanes>
 class OneMessage {
  public:

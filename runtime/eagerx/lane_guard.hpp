@@ -12,8 +12,8 @@
 
 namespace eagerx {
 
-/// Guard::within() lane by lane, and what it counts. The rest of a guard stays with the
-/// environment's own program.
+/// Guard::within() lane by lane, with its counts. The rest of a guard stays in the environment's
+/// own program.
 template <class Limits, std::size_t N>
 class LaneGuard {
  public:

@@ -1,5 +1,4 @@
-// Connections with `window: 0` over SIMD vectors: what is new since the last tick is another number
-// of messages in each lane.
+// Connections with `window: 0` over SIMD vectors: the number of new messages differs between lanes.
 #pragma once
 
 #include <bit>

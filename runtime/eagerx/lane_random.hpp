@@ -1,4 +1,4 @@
-// Random numbers of several episodes at once: what Random gives for each of them.
+// Random numbers of several episodes at once, each the same as from Random.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace eagerx {
 
-/// As philox4x32(), lane by lane. Words are the lower halves of numbers of 64 bits; what is in the
-/// upper halves means nothing, because multiplications do not look at them.
+/// philox4x32() lane by lane. Words are the lower halves of 64-bit numbers. The upper halves are
+/// undefined, because multiplications ignore them.
 template <std::size_t N>
 [[gnu::always_inline]] inline std::array<Simd<std::uint64_t, N>, 4> philox4x32(
     std::array<Simd<std::uint64_t, N>, 4> counter, std::array<Simd<std::uint64_t, N>, 2> key) {
@@ -33,13 +33,13 @@ template <std::size_t N>
   return counter;
 }
 
-/// The random numbers of one entity in `N` episodes, one a lane, as Random's of each.
+/// The random numbers of one entity in `N` episodes, one per lane, the same as those of Random.
 template <std::size_t N>
 class LaneRandom {
  public:
   using Words = Simd<std::uint32_t, N>;
 
-  /// `count` keys, at most N; the other lanes mean nothing.
+  /// `count` keys, at most N; the other lanes are undefined.
   LaneRandom(const EpisodeKey* keys, std::size_t count, std::uint32_t entity) : entity_(entity) {
     for (std::size_t k = 0; k < count; ++k) {
       const int lane = static_cast<int>(k);

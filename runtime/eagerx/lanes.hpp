@@ -1,5 +1,5 @@
-// For programs over SIMD vectors, besides simd.hpp: clocks and windows of environments that
-// began at different times, and copying one environment into and out of its lane.
+// Clocks and windows of environments in one SIMD group that began at different times, and copies of
+// one environment into and out of its lane.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@
 
 namespace eagerx {
 
-/// Registers of a SIMD vector: the others are at work while the first waits. More than four are
-/// spilled, and clang 14 spills with four. Measured with tests/bench/environments; bits do not
+/// Registers of a SIMD vector: several hide the latency of each other's operations. More than four
+/// are spilled, and clang 14 spills four. Measured with tests/bench/environments; bits do not
 /// depend on it.
 #if defined(EAGERX_SIMD_REGISTERS)
 inline constexpr std::size_t kSimdRegisters = EAGERX_SIMD_REGISTERS;
@@ -33,11 +33,11 @@ inline constexpr std::size_t kSimdRegisters = 4;
 template <class Real, std::size_t Registers = kSimdRegisters>
 inline constexpr std::size_t kSimdLanes = Registers* kRegisterBytes / sizeof(Real);
 
-/// Counts of messages or ticks, one a lane.
+/// Counts of messages or ticks, one per lane.
 template <std::size_t N>
 using LaneCounts = Simd<std::uint32_t, N>;
 
-/// How many messages of a channel each lane has, and where these are in the rings, which go by the
+/// The number of messages of a channel in each lane, and their place in the rings, which run by the
 /// clock of the SIMD group: count + offset. Counts stay below 2^31.
 template <std::size_t N>
 struct LaneSeq {
@@ -45,7 +45,7 @@ struct LaneSeq {
   LaneCounts<N> offset;
 };
 
-/// Ticks of a rate so far. At first no lane holds an environment.
+/// Ticks of a rate so far. Initially no lane holds an environment.
 template <std::size_t N>
 struct LaneClock {
   Seq shared = 1;  // of the SIMD group: where messages are; tick 0 is of a reset, which is no step
@@ -60,7 +60,7 @@ struct LaneClock {
   LaneCounts<N> counts() const {
     return LaneCounts<N>(static_cast<std::uint32_t>(shared)) - offset;
   }
-  /// This number of messages, which end where this clock's would.
+  /// A number of messages that end at this clock's place in the ring.
   LaneSeq<N> at(const LaneCounts<N>& count) const { return {count, offset}; }
 
   operator Seq() const { return shared; }  // NOLINT(google-explicit-constructor): a ring position
@@ -83,7 +83,7 @@ Simd<std::int64_t, N> lane_ticks(const LaneClock<N>& clock) {
   return Simd<std::int64_t, N>(clock.counts());
 }
 
-/// A tick of a SIMD group. `n` is that of the group, which means nothing to an environment.
+/// A tick of a SIMD group. `n` is the group's tick, which has no meaning for an environment.
 template <std::size_t N>
 struct LaneTick : Tick {
   LaneCounts<N> counts;
@@ -94,8 +94,8 @@ struct LaneTick : Tick {
   Tick one(std::size_t lane) const { return {in_lane(static_cast<int>(lane))}; }
 };
 
-/// The last messages of a connection whose lanes have sent at the same ticks: as Window, but lanes
-/// may hold fewer of them.
+/// The last messages of a connection whose lanes send at the same ticks: like Window, but lanes may
+/// hold fewer messages.
 template <class Message, class SourceRate, std::uint32_t Capacity, std::uint32_t MaxSize,
           bool AlwaysFull>
 class LaneWindow {
@@ -117,7 +117,7 @@ class LaneWindow {
       return select(count_ < Counts(MaxSize), count_, Counts(MaxSize));
     }
   }
-  /// false, or in which lanes.
+  /// false, or the mask of empty lanes.
   auto empty() const {
     if constexpr (AlwaysFull) {
       return false;
@@ -132,7 +132,7 @@ class LaneWindow {
   const Message& back() const { return (*this)[MaxSize - 1]; }
   Message back_or(const Message& otherwise) const;
 
-  /// Of one lane: messages so far, and how far on in the ring each is.
+  /// For one lane: messages so far, and their offset in the ring.
   const Message* ring() const { return ring_; }
   Seq received(std::size_t lane) const { return eagerx::lane(count_, static_cast<int>(lane)); }
   std::uint32_t offset(std::size_t lane) const {
@@ -145,7 +145,8 @@ class LaneWindow {
   Counts count_;
 };
 
-/// The same of a connection with delays or skipped messages, which end elsewhere in each lane.
+/// The same for a connection with delays or skipped messages, whose windows end at different places
+/// in each lane.
 template <class Message, class SourceRate, std::uint32_t Capacity, std::uint32_t MaxSize,
           bool AlwaysFull>
 class ScatteredWindow {
@@ -236,8 +237,8 @@ Message ScatteredWindow<Message, SourceRate, Capacity, MaxSize, AlwaysFull>::bac
 
 namespace detail {
 
-/// Message `i` of as many as a window can hold: copies of the oldest where there are fewer,
-/// `otherwise` without any.
+/// Message `i` of a window padded to its maximum size: copies of the oldest message if there are
+/// fewer, `otherwise` if there are none.
 template <class Window, class Message = typename Window::value_type>
 Message padded(const Window& window, std::uint32_t i, LaneOf<ScalarOf<Message>> otherwise) {
   if constexpr (Window::kAlwaysFull) {
@@ -254,7 +255,8 @@ Message padded(const Window& window, std::uint32_t i, LaneOf<ScalarOf<Message>> 
 
 }  // namespace detail
 
-/// As PaddedWindow: always the most messages, copies of the oldest in front, 0 without any.
+/// Like PaddedWindow: always the maximum number of messages, padded in front with copies of the
+/// oldest, or 0 if there are none.
 template <class Window>
 class PaddedLanes : Window {
  public:
@@ -263,7 +265,7 @@ class PaddedLanes : Window {
   using Window::Window;
 
   static constexpr std::uint32_t size() { return Window::kMaxSize; }
-  /// Of a window that is always full, where the message is: a copy goes through memory.
+  /// Returns a reference if the window is always full, because a copy would go through memory.
   decltype(auto) operator[](std::uint32_t i) const {
     const auto& window = static_cast<const Window&>(*this);
     if constexpr (Window::kAlwaysFull) {
@@ -356,8 +358,8 @@ class SkipLanes {
   LaneCounts<N> total_{};
 };
 
-/// Copies one environment's part of a program into its lane, and back. All members of a part are as
-/// wide as `Word`, so a lane is every Nth word of the part over SIMD vectors.
+/// Copies one environment's part of a program into its lane, and back. All members of a part have
+/// the width of `Word`, so a lane is every Nth word of the vectorized part.
 template <class Word, std::size_t N, class LanesPart, class Part>
 [[gnu::always_inline]] inline void check_lane() {
   static_assert(std::is_trivially_copyable_v<Part> && std::is_trivially_destructible_v<LanesPart>);
@@ -399,7 +401,8 @@ void store_message(const LanesMessage& from, std::size_t lane, Message& to) {
     element(to, i) = eagerx::lane(element(from, i), static_cast<int>(lane));
 }
 
-/// A ring, whose places go by the environment's clock alone, and by the group's in a SIMD group.
+/// Copies a ring, whose places follow the environment's own clock in its program, and the group's
+/// clock in a SIMD group.
 template <std::size_t N, class LanesMessage, class Message, std::size_t Capacity>
 void load_ring(LanesMessage (&ring)[Capacity], const LaneClock<N>& clock, std::size_t lane,
                const Message (&from)[Capacity]) {
@@ -415,7 +418,7 @@ void store_ring(const LanesMessage (&ring)[Capacity], const LaneClock<N>& clock,
     store_message(ring[ring_position<Capacity>(i + offset)], lane, to[i]);
 }
 
-/// A hash for each lane: what HashTrace gives for that environment alone.
+/// A hash for each lane, equal to that of HashTrace for the environment alone.
 template <std::size_t N>
 struct HashLanes {
   std::array<HashTrace, N> hashes{};

@@ -6,10 +6,11 @@
 
 namespace eagerx {
 
-/// Why the chip was reset, as far as its core tells; `begin(ResetReason)` of hardware.h gets it.
+/// The cause of the chip's reset, as far as its core reports it; passed to `begin(ResetReason)` of
+/// hardware.h.
 enum class ResetReason : std::uint8_t { unknown, power_on, pin, software, watchdog, brown_out };
 
-/// The guard of a graph that has no actions.
+/// The guard of a graph without actions.
 struct NoGuard {
   template <class F>
   void for_each_count(F&& /*f*/) const {}

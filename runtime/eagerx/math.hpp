@@ -1,5 +1,5 @@
 // Elementary functions with the same bits on every target: additions, multiplications, divisions
-// and square roots in a fixed order, and nothing from the machine's own mathematics library.
+// and square roots in a fixed order, without the machine's mathematics library.
 //
 // All functions are templates over float, double and SIMD vectors of them (eagerx/simd.hpp), and
 // have overloads for dual numbers (eagerx/math/dual.hpp), which give derivatives. They are written

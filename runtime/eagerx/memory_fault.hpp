@@ -1,9 +1,8 @@
-// What happens when a program finds in its own memory what it never wrote there: a bit has flipped,
-// or something wrote over it.
+// Reaction to corrupted memory: a bit has flipped, or something has overwritten the program's data.
 #pragma once
 
 /// Called, if defined, when a program finds an invalid place in the schedule. It may end the
-/// program, as boards do; if it returns, or is not defined, the program counts.
+/// program, as on boards; if it returns, or is not defined, the program counts the fault.
 extern "C" [[gnu::weak]] void eagerx_memory_fault();
 
 namespace eagerx {

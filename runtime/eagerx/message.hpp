@@ -75,7 +75,7 @@ struct MessageTraits<Array<T, Shape...>> {
   using Scalar = T;
   static constexpr std::size_t size = Array<T, Shape...>::kSize;
 };
-// Overload resolution of element() looks at const messages too.
+// Overload resolution of element() also considers const messages.
 template <class Message>
 struct MessageTraits<const Message> : MessageTraits<Message> {};
 

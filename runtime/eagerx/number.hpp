@@ -1,5 +1,5 @@
-// The numbers of a program that is linearized: doubles with derivatives, which report where they
-// are and what became of their derivatives.
+// Numbers of a program that is linearized: doubles with derivatives, which record their addresses
+// and whether derivatives were lost or smoothed.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@ namespace eagerx {
 
 namespace linearize {
 
-/// Derivatives that one run gives.
+/// Number of derivatives that one run computes.
 inline constexpr std::size_t kSeeds = 16;
 
-/// Called with each number that begins to exist, while it is not null.
+/// If not null, called for each number that is constructed.
 inline void (*born)(const void* number) = nullptr;
 
 /// The effect of a node on derivatives.
@@ -31,13 +31,13 @@ struct DualBirth<double, linearize::kSeeds> {
   constexpr DualBirth() {
     if (!std::is_constant_evaluated() && linearize::born != nullptr) linearize::born(this);
   }
-  /// A member that begins as a copy begins to exist, too.
+  /// A copied member is also constructed.
   constexpr DualBirth(const DualBirth& /*other*/) : DualBirth() {}
   constexpr DualBirth& operator=(const DualBirth& /*other*/) = default;
   ~DualBirth() = default;
 };
 
-/// Numbers of engines, nodes and messages, whatever the graph says of them.
+/// The type of numbers in engines, nodes and messages, regardless of their types in the graph.
 using Number = Dual<double, linearize::kSeeds>;
 
 namespace linearize {
@@ -49,7 +49,7 @@ constexpr bool has_derivative(const Number& x) {
 }
 }  // namespace linearize
 
-/// Noise has its mean, 0.
+/// Noise is replaced with its mean, 0.
 inline void set_noise_lane(Number& /*x*/, int /*i*/, double /*value*/) {}
 /// Lane-by-lane operations lose the derivatives.
 inline double lane(const Number& x, int /*i*/) {
@@ -66,6 +66,6 @@ inline Number quantized(const Number& x, const Number& step) {
 
 }  // namespace eagerx
 
-/// Their bounds are those of what they consist of.
+/// Their limits are those of double.
 template <>
 struct std::numeric_limits<eagerx::Number> : std::numeric_limits<double> {};

@@ -1,5 +1,5 @@
 // The guard of a controller without an engine: its actions are measurements, and its observations
-// are what leaves to the world.
+// are the outputs to the world.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 namespace eagerx {
 
-/// A measurement that is not finite or late, or an output that is not finite, leads to the declared
-/// outputs without the controller: no node runs in such a step. `Limits` is the generated struct of
-/// that name. All zero until the first reset(); until then every output has its safe value.
+/// If a measurement is late or not finite, or an output is not finite, the declared outputs replace
+/// the controller's, and no node runs in that step. `Limits` is the generated struct of that name.
+/// All zero until the first reset(); until then every output has its safe value.
 template <class Limits>
 class OutputGuard {
  public:
@@ -43,19 +43,19 @@ class OutputGuard {
     return seen;
   }
 
-  /// The value that replaces `action` as the nodes measure it, if acts(). `late_in_a_row`: steps up
-  /// to now that were later than `max_lateness`.
+  /// Returns the measurement for the nodes instead of `action`, if acts(). `late_in_a_row`: number
+  /// of consecutive steps, up to now, later than `max_lateness`.
   Action check(Action action, std::uint64_t late_in_a_row) {
     return checked(action, true, late_in_a_row, is_frozen(action));
   }
-  /// The same of a step for which no measurement has come.
+  /// The same for a step without a measurement.
   Action miss(std::uint64_t late_in_a_row) {
     ++missing_;
     return checked(Limits::safe(), false, late_in_a_row, false);
   }
-  /// Whether the nodes run in the step that was checked last.
+  /// Whether the nodes run in the last checked step.
   bool acts() const { return acts_; }
-  /// Whether they are reset before it, because a safe output is over.
+  /// Whether the nodes are reset before that step, because a safe output has ended.
   bool begins_anew() const { return begins_anew_; }
 
   /// The guarded outputs after the nodes have run.
@@ -79,16 +79,16 @@ class OutputGuard {
     });
   }
 
-  /// The outputs of a step in which no node has run. `nothing`: an observation before any message.
+  /// The outputs of a step in which no node ran. `nothing`: an observation without messages.
   Observation stay(const Observation& nothing) { return safe(last(nothing)); }
 
-  /// The same for the end of a run: nothing is held.
+  /// The same for the end of a run, without holding outputs.
   Observation stop(const Observation& nothing) {
     ++stops_;
     return safe(last(nothing), false);
   }
 
-  /// Before the first reset: the safe values, whatever was declared of the way to them.
+  /// Before the first reset: the safe values, regardless of the declared `hold` and `ramp`.
   Observation before_reset(Observation nothing) {
     Limits::for_each_output(nothing, outputs_, [](auto& window, auto& keeper, const auto& safe) {
       keeper.reset(safe);
@@ -97,7 +97,7 @@ class OutputGuard {
     return nothing;
   }
 
-  /// f(name, count) for each.
+  /// Calls f(name, count) for each count.
   template <class F>
   void for_each_count(F&& f) const {
     verdict_.for_each_count(f);
@@ -118,7 +118,7 @@ class OutputGuard {
     return false;
   }();
   struct Nothing {};
-  /// Steps in a row in which each measurement was the same, to the bit of its value.
+  /// Number of consecutive steps in which each measurement was the same, bit for bit.
   struct Frozen {
     Action last{};
     std::array<std::uint32_t, kActions> same{};
@@ -132,7 +132,7 @@ class OutputGuard {
     return action;
   }
 
-  /// Whether a measurement has been the same for as many steps as `frozen:` says.
+  /// Whether a measurement has been the same for the number of steps in `frozen:`.
   bool is_frozen([[maybe_unused]] Action& action) {
     bool result = false;
     if constexpr (kDetectsFrozen) {
@@ -164,13 +164,13 @@ class OutputGuard {
     return nothing;
   }
 
-  /// Its window becomes the one message that leaves, with `seq` 0.
+  /// Replaces its window with the one message that leaves, with `seq` 0.
   template <class Window, class Keeper>
   static void show(Window& window, const Keeper& keeper) {
     window = std::remove_cvref_t<Window>(&keeper.message(), 1, 1);
   }
 
-  /// Whether every output may leave, if moved into its limits.
+  /// Whether every output may leave, possibly after being moved into its limits.
   [[gnu::noinline, gnu::cold]] bool may_leave(Observation& seen) {
     bool right = true;
     std::size_t channel = 0;
@@ -200,7 +200,7 @@ class OutputGuard {
 
   Verdict<Limits> verdict_;
   typename Limits::Outputs outputs_{};
-  // What the nodes sent last, for observations that are not outputs.
+  // The last messages of the nodes, for observations that are not outputs.
   [[no_unique_address]] std::conditional_t<kRemembers, std::optional<Observation>, Nothing> last_;
   bool is_reset_ = false;
   bool acts_ = false;

@@ -1,6 +1,6 @@
-// Peripherals besides buses: what a driver or a main program may ask of PWM, ADC, quadrature
-// encoders, timers and watchdogs, whatever board they are on. Errors are those of bus.hpp, and what
-// is read is valid after run(), as on a bus.
+// Peripherals other than buses: the interfaces of PWM, ADC, quadrature encoders, timers and
+// watchdogs for drivers and main programs, the same on every board. Errors are those of bus.hpp,
+// and readings are valid after run(), as on a bus.
 #pragma once
 
 #include <concepts>
@@ -9,8 +9,8 @@
 
 namespace eagerx {
 
-/// write_duty(channel, duty): the share of time, 0 to 1, that an output is high; others are
-/// limited, NaN is 0.
+/// write_duty(channel, duty): the share of time, 0 to 1, that an output is high. Other values are
+/// clamped; NaN is 0.
 template <class B>
 concept PwmBus = requires(B& bus, std::uint8_t channel, float duty) {
   bus.write_duty(channel, duty);
@@ -24,16 +24,16 @@ concept AdcBus = requires(B& bus, std::uint8_t channel, float& volts) {
   { bus.run() } -> std::same_as<BusError>;
 };
 
-/// read_encoder(encoder, counts&): edges of both lines since the start, up minus down; it wraps at
-/// 32 bits.
+/// read_encoder(encoder, counts&): edges of both lines since the start, up minus down. Wraps at 32
+/// bits.
 template <class B>
 concept EncoderBus = requires(B& bus, std::uint8_t encoder, std::int32_t& counts) {
   bus.read_encoder(encoder, counts);
   { bus.run() } -> std::same_as<BusError>;
 };
 
-/// Time as ticks of hardware since its start, in 64 bits; wait_for() returns as soon as that many
-/// are over.
+/// Time in hardware ticks since the start, in 64 bits; wait_for() returns after the given number of
+/// ticks.
 template <class T>
 concept HardwareTimer = requires(T& timer, std::uint64_t ticks) {
   { timer.ticks() } -> std::same_as<std::uint64_t>;
@@ -41,8 +41,9 @@ concept HardwareTimer = requires(T& timer, std::uint64_t ticks) {
   timer.wait_for(ticks);
 };
 
-/// After start(ms) the hardware resets the system if feed() is not called for `ms`. start() returns
-/// false if there is no watchdog or if it cannot wait so long. Most watchdogs cannot be stopped.
+/// After start(ms), the hardware resets the system if feed() is not called for `ms`. start()
+/// returns false if there is no watchdog, or if `ms` is too long for it. Most watchdogs cannot be
+/// stopped.
 template <class W>
 concept Watchdog = requires(W& watchdog, std::uint32_t ms) {
   { watchdog.start(ms) } -> std::same_as<bool>;
@@ -58,8 +59,7 @@ constexpr std::uint32_t counts_of_duty(float duty, std::uint32_t counts) {
   return whole + (exact - static_cast<float>(whole) >= 0.5F ? 1U : 0U);
 }
 
-/// A counter of 16 bits with the rest of its 32 bits, for an encoder that is read at least once in
-/// 32767 counts.
+/// Extends a 16-bit counter to 32 bits, for an encoder that is read at least once in 32767 counts.
 class WideCount {
  public:
   std::int32_t update(std::uint16_t counter) {

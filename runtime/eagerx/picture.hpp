@@ -11,14 +11,14 @@
 
 namespace eagerx::picture {
 
-/// Paints scenes on images that are at most kMaxWidth pixels wide. Needs about 8 bytes a pixel of
-/// that, 24 an edge and 16 a shape in space; an outline with more edges is painted in parts, and
-/// more shapes in space are left out.
+/// Paints scenes on images that are at most kMaxWidth pixels wide. Needs about 8 bytes for each
+/// pixel of that width, 24 for each edge and 16 for each shape in space. An outline with more edges
+/// is painted in parts; additional shapes in space are left out.
 template <std::size_t kMaxWidth, std::size_t kMaxEdges = 384, std::size_t kMostBodies = 128>
 class Painter {
  public:
-  /// The whole image is painted. `rows`: of the scene, 16 numbers each. First what is in space,
-  /// the farthest first, then the shapes of the plane in their order.
+  /// Paints the whole image. `rows`: number of rows of the scene, 16 numbers each. Paints the
+  /// shapes in space first, the farthest first, then the planar shapes in their order.
   void paint(const float* scene, std::size_t rows, const Image& image) {
     brush_.begin(image);
     rows = rows_of(scene, rows);
@@ -40,7 +40,7 @@ class Painter {
     return count;
   }
 
-  /// The background, and what the first view or camera says.
+  /// Paints the background, and applies the first view or camera.
   void clear(const float* scene, std::size_t rows) {
     const Image& image = brush_.image();
     const auto width = static_cast<float>(image.width), height = static_cast<float>(image.height);

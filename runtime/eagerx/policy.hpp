@@ -20,9 +20,9 @@
 
 namespace eagerx {
 
-/// Weights of y = activation(W x + b), laid out for reading straight through: outputs in panels of
-/// eight, in a panel one row of eight weights for each input. What does not fill a panel is one
-/// narrower panel (1, 2, 4 or 8 wide), padded with zeros. The same layout on every target.
+/// Weights of y = activation(W x + b), laid out for sequential reads: outputs in panels of eight,
+/// in each panel one row of eight weights for each input. The remaining outputs form a narrower
+/// panel (1, 2, 4 or 8 wide), padded with zeros. The same layout on every target.
 template <std::size_t In, std::size_t Out>
 struct DenseWeights {
   static_assert(In > 0 && Out > 0, "a layer has at least one input and one output");
@@ -34,7 +34,7 @@ struct DenseWeights {
   alignas(32) float w[In * kPadded];  // [panel][In][width of the panel]
   alignas(32) float b[kPadded];
 
-  /// Where the weight from input `in` to output `out` lives in `w`.
+  /// Index in `w` of the weight from input `in` to output `out`.
   static constexpr std::size_t index(std::size_t out, std::size_t in) {
     const std::size_t panel = out / kPanel;
     const std::size_t width = panel < kFullPanels ? kPanel : kTail;
@@ -42,7 +42,7 @@ struct DenseWeights {
   }
 };
 
-/// y = A(y). `slope` is what elu and leaky relu multiply with.
+/// y = A(y). `slope` is the factor of elu and leaky relu.
 template <Activation A, std::size_t N>
 inline void activate(float (&y)[N], float slope = 0.0F) {
   if constexpr (A != Activation::identity) policy::activate_all<A, N>(y, slope);
@@ -101,15 +101,15 @@ inline void normalize(const ObservationStatistics<N>& statistics, float (&x)[N])
   }
 }
 
-/// An observation and what a network answers, without NaN.
+/// An observation and a network's answer, without NaN.
 template <std::size_t In, std::size_t Out>
 struct KnownAnswers {
   float observation[In];
   float answer[Out];
 };
 
-/// True if `evaluate(observation, answer)` gives every known answer to the bit, or, if there is a
-/// tolerance, within that times the answer (times one for small answers).
+/// True if `evaluate(observation, answer)` reproduces every known answer bit for bit or, with a
+/// tolerance, within the tolerance times the answer (or times one for small answers).
 template <class Evaluate, std::size_t In, std::size_t Out, std::size_t Rows>
 inline bool answers(Evaluate&& evaluate, const KnownAnswers<In, Out> (&rows)[Rows],
                     float tolerance = 0.0F) {

@@ -5,7 +5,7 @@
 
 namespace eagerx {
 
-/// Passes the newest action on. A main loop brings one at every step; those behind this node see
+/// Passes on the newest action. A main loop supplies one at every step; downstream nodes receive
 /// and count as many as in the whole graph.
 template <class Io>
 class Port {

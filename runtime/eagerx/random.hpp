@@ -1,5 +1,5 @@
 // Random numbers that depend on names and counts only: Philox4x32-10 on (seed; environment,
-// episode, entity, counter). Environment k never depends on how many others run, and all targets
+// episode, entity, counter). Environment k does not depend on how many others run, and all targets
 // sample the same bits.
 #pragma once
 
@@ -44,7 +44,7 @@ struct EpisodeKey {
   friend constexpr bool operator==(const EpisodeKey&, const EpisodeKey&) = default;
 };
 
-/// Stable number of a name such as "pendulum/model_state": FNV-1a, 32 bits.
+/// A stable hash of a name such as "pendulum/model_state": FNV-1a, 32 bits.
 constexpr std::uint32_t entity_id(const char* name) {
   constexpr std::uint32_t kOffset = 0x811C9DC5U;
   constexpr std::uint32_t kPrime = 0x01000193U;
@@ -58,11 +58,11 @@ constexpr std::uint32_t entity_id(const char* name) {
 class Random {
  public:
   constexpr Random() = default;
-  /// `block`: where to begin in the stream, in blocks of four words.
+  /// `block`: the position in the stream at which to begin, in blocks of four words.
   constexpr Random(EpisodeKey key, std::uint32_t entity, std::uint32_t block = 0)
       : key_(key), entity_(entity), counter_(block) {}
 
-  /// Those of step `step`, which has `blocks` of four words for itself.
+  /// The random numbers of step `step`, which has `blocks` blocks of four words.
   static constexpr Random of_step(EpisodeKey key, std::uint32_t entity, std::uint64_t step,
                                   std::uint32_t blocks) {
     constexpr std::uint32_t kOdd = 0x9E3779B9U;
@@ -85,8 +85,8 @@ class Random {
     return block_[kWords - 1 - left_];
   }
 
-  /// Uniform in 0 … n - 1 without bias; n = 0 stands for 2^32. Samples again with a probability
-  /// below 1/2 (Lemire 2019).
+  /// Uniform in 0 … n - 1 without bias; n = 0 means 2^32. Resamples with a probability below 1/2
+  /// (Lemire 2019).
   constexpr std::uint32_t below(std::uint32_t n) {
     if (n == 0) return bits32();
     const std::uint32_t unfair = (0U - n) % n;  // 2^32 mod n
@@ -112,7 +112,8 @@ class Random {
   }
 
   /// Normal with the given mean and standard deviation (Box and Muller 1958), at most 5.8 (float)
-  /// or 8.6 (double) deviations away. Uses one of the two values it could give: no state is kept.
+  /// or 8.6 (double) deviations from the mean. Discards the second value of the method, so that no
+  /// state is kept.
   template <std::floating_point T>
   constexpr T normal(T mean, std::type_identity_t<T> standard_deviation) {
     const T radius = sqrt(T(-2) * log(open_unit<T>()));

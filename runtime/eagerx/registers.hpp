@@ -14,7 +14,7 @@
 
 namespace eagerx {
 
-/// Bytes of a register of the instruction set that is compiled for.
+/// Bytes of a register of the target's instruction set.
 #if defined(__AVX512F__)
 inline constexpr std::size_t kRegisterBytes = 64;
 #elif defined(__AVX2__)
@@ -30,7 +30,7 @@ struct VectorOf {
   using type __attribute__((vector_size(sizeof(T) * Width))) = T;
 };
 
-/// How many of N numbers of `Bytes` bytes a register holds.
+/// How many of N numbers of `Bytes` bytes fit into a register.
 template <std::size_t Bytes, std::size_t N>
 inline constexpr std::size_t kWidthFor = N* Bytes > kRegisterBytes ? kRegisterBytes / Bytes : N;
 
@@ -58,8 +58,8 @@ constexpr std::size_t size_between(std::size_t from, std::size_t to) {
   return from < to ? 2 * from : from > to ? from / 2 : to;
 }
 
-/// f(0), f(1), …, f(Count - 1). No loop: compilers keep arrays in registers only if they know every
-/// index from the start.
+/// Calls f(0), f(1), …, f(Count - 1). Not a loop, because compilers keep arrays in registers only
+/// if all indexes are constants.
 template <std::size_t Count, class F>
 [[gnu::always_inline]] inline constexpr void unrolled(F&& f) {
   [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
@@ -91,7 +91,7 @@ template <std::size_t First, std::size_t Count, std::size_t Width, class Vector>
   }
 }
 
-/// Integers of 32 bits as such of 64: one instruction, where compilers make three of halves.
+/// Converts 32-bit integers to 64 bits: one instruction instead of the compiler's three.
 template <class To, class From>
 [[gnu::always_inline]] inline To widened(const From& from) {
   constexpr bool kWords = sizeof(from[0]) == 4 && sizeof(To) == 2 * sizeof(From);
@@ -121,7 +121,7 @@ template <class To, class From>
   return __builtin_convertvector(from, To);
 }
 
-/// Of the pairs of numbers in two registers the first (`Half` = 0) or the second ones.
+/// The first (`Half` = 0) or second numbers of the pairs in two registers.
 template <std::size_t Half, class Vector>
 [[gnu::always_inline]] inline Vector halves_of(const Vector& a, const Vector& b) {
 #if defined(__AVX2__) && !defined(__clang__)
@@ -162,7 +162,7 @@ template <std::size_t Half = 0, class To, class From>
   });
 }
 
-/// Of truth values, which have all bits of a lane or none: whether there is one.
+/// Whether any of the truth values, which set all bits of a lane or none, is true.
 template <class Vector>
 [[gnu::always_inline]] inline bool any_lane(const Vector& truth) {
 #if defined(__SSE2__) && !defined(__clang__)
@@ -189,7 +189,7 @@ template <class Vector>
   return either != 0;
 }
 
-/// Of truth values of 32 bits: a bit for each lane.
+/// 32-bit truth values as one bit for each lane.
 template <class Vector>
 [[gnu::always_inline]] inline std::uint64_t lane_bits(const Vector& truth) {
 #if defined(__SSE2__) && !defined(__clang__)
@@ -216,8 +216,8 @@ template <class Vector>
   return bits;
 }
 
-/// The products of the lower halves of numbers of 64 bits: one instruction, which compilers do not
-/// find everywhere.
+/// The products of the lower halves of 64-bit numbers: one instruction, which compilers do not
+/// always find.
 template <class Vector>
 [[gnu::always_inline]] inline Vector product_of_lower_halves(const Vector& a, const Vector& b) {
 #if defined(__SSE2__) && !defined(__clang__)
@@ -241,7 +241,7 @@ template <class Vector>
   return (a & kLower) * (b & kLower);
 }
 
-/// b < a ? b : a and a < b ? b : a: one instruction, where compilers make two or three.
+/// b < a ? b : a and a < b ? b : a: one instruction instead of the compiler's two or three.
 template <class Vector>
 [[gnu::always_inline]] inline Vector smaller(const Vector& a, const Vector& b) {
   if constexpr (std::is_same_v<std::remove_cvref_t<decltype(a[0])>, float>) {

@@ -1,4 +1,4 @@
-// The pictures of a program: the end of the connections that only pictures need.
+// The pictures of a program: the receiver of connections that only pictures need.
 #pragma once
 
 #include <eagerx/rate.hpp>
@@ -8,14 +8,14 @@ namespace eagerx {
 
 /// Hooks that can show pictures have `static constexpr bool kDraws = true`, `bool draws() const`,
 /// which does not change during a run, and `show(Rate<...> rate, Seq tick, const Message& message)`
-/// for a scene or an image. What only pictures need runs while draws() is true.
+/// for a scene or an image. Nodes that only pictures need run while draws() is true.
 template <class Hooks>
 inline constexpr bool can_draw = requires {
   requires Hooks::kDraws;
 };
 
 struct NoDrawing {};
-/// The memory of what only pictures need.
+/// The memory of nodes that only pictures need.
 template <class Hooks, class Drawing>
 using DrawingOf = std::conditional_t<can_draw<Hooks>, Drawing, NoDrawing>;
 

@@ -10,7 +10,7 @@
 
 namespace eagerx {
 
-/// The value of an output while it is safe, `safety: {outputs: …}` of a graph.
+/// The safe value of an output, `safety: {outputs: …}` of a graph.
 template <class Message>
 struct SafeOutput {
   static constexpr std::uint64_t kAlways = std::numeric_limits<std::uint64_t>::max();
@@ -33,7 +33,7 @@ class OutputKeeper {
     safe_steps_ = 0;
   }
 
-  /// A step whose output, finite and within its space, may leave.
+  /// A step whose output, which is finite and within its space, may leave.
   void leave(const Message& good, const SafeOutput<Message>& safe) {
     if (state_ == State::away && ramps(safe) && approach(good, safe.most_change)) {
       safe_steps_ = 0;
@@ -43,7 +43,7 @@ class OutputKeeper {
     state_ = State::good;
   }
 
-  /// A step in which it is safe. `holds`: whether the last good output may stay.
+  /// A step with the safe output. `holds`: whether the last good output may stay.
   void be_safe(const SafeOutput<Message>& safe, bool holds) {
     const bool had_good = state_ != State::fresh;
     if (state_ == State::good) {
@@ -68,8 +68,9 @@ class OutputKeeper {
     rest_ = {};
   }
 
-  /// A step towards `target`; false if it is reached, or if there are no steps. What a small step
-  /// rounds away is kept for the next one (TwoSum, Knuth 4.2.2), or a slow ramp would stand still.
+  /// A step of the ramp towards `target`; false if it is reached, or if there is no ramp. The
+  /// rounding error of a step is carried to the next one (TwoSum, Knuth 4.2.2); otherwise a slow
+  /// ramp would stall.
   bool approach(const Message& target, ScalarOf<Message> most_change) {
     if constexpr (!std::is_floating_point_v<ScalarOf<Message>>) return false;
     bool is_there = true;

@@ -5,7 +5,7 @@
 
 namespace eagerx {
 
-/// When the safe action takes the agent's place. Counts are instants in a row: steps of the
+/// When the safe action replaces the agent's. Counts are consecutive instants: steps of the
 /// environment, slots of a paced board, ticks of an engine of real hardware.
 struct Safety {
   bool declared;                 // without it nothing checks observations and actions
@@ -21,10 +21,11 @@ struct Safety {
   bool holds;   // after NaN: true: the last action for `missed` - 1 instants; false: safe at once
 };
 
-/// Instants in a row that were too late, checked when an action is about to be applied. `in_a_row`:
-/// those that began too late, up to the latest; `age`: time since that was due. Its action is in
-/// time within a period, or within `max_lateness` if that is longer. A program that stood still for
-/// many periods has missed as many instants, not one. Times in one unit, `period` above 0.
+/// Number of consecutive late instants, computed just before an action is applied. `in_a_row`:
+/// consecutive instants that began too late, up to the latest one; `age`: time since the latest one
+/// was due. Its action is in time within a period, or within `max_lateness` if that is longer. A
+/// program that hung for many periods has missed that many instants, not one. All times have the
+/// same unit; `period` is above 0.
 constexpr std::uint64_t late_instants(std::uint64_t in_a_row, std::uint64_t age,
                                       std::uint64_t period, std::uint64_t max_lateness) {
   const std::uint64_t longest = period > max_lateness ? period : max_lateness;

@@ -1,4 +1,4 @@
-// Domain randomisation: a state's value at a reset. (Uniform: Space::sample.)
+// Domain randomization: a state's value at a reset. (Uniform: Space::sample.)
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ Message sample_log_uniform(Random& random, const Message& low, const Message& hi
   return result;
 }
 
-/// One of the values, each as likely.
+/// One of the values, with equal probability.
 template <class Message, std::size_t N>
 Message sample_choice(Random& random, const Message (&values)[N]) {
   return values[random.below(static_cast<std::uint32_t>(N))];

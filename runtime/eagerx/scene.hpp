@@ -1,4 +1,4 @@
-// A drawing as a message: float32 [rows, 16], a row a shape. What draws it is picture.hpp.
+// A drawing as a message: float32 [rows, 16], one shape per row. picture.hpp draws it.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace eagerx {
 
-/// The kind of a row of a scene: its column 0. A row of 0 ends the scene, so that a node can add to
-/// it. Columns 1 to 3 are those of Ink; the shape's own numbers begin at column 4. Lengths are
-/// metres in the plane of the view (x right, y up) or in space (z up). With kOnScreen added to
-/// column 0, x and y go from 0 to 1 over the picture, from left to right and from bottom to top,
-/// and other lengths are in heights of the picture.
+/// The kind of a row of a scene: its column 0. A row of zeros ends the scene, so that a node can
+/// append shapes. Columns 1 to 3 are those of Ink; the shape's own numbers begin at column 4.
+/// Lengths are metres in the plane of the view (x right, y up) or in space (z up). With kOnScreen
+/// added to column 0, x and y go from 0 to 1 over the picture, from left to right and from bottom
+/// to top, and other lengths are in heights of the picture.
 enum class Shape : std::uint8_t {
   none,
   view,       // x, y of the middle, height of what is seen; colour: of the background
@@ -40,7 +40,8 @@ inline constexpr std::size_t kSceneColumns = 16;
 inline constexpr std::size_t kSceneCharacters = 18;
 
 /// How a shape is painted: colour 0xRRGGBB, opacity from 0 to 1, and the width of its line: 0 fills
-/// it, above 0 are metres, below 0 are points, 1/480 of the picture's height.
+/// the shape, positive widths are in meters, negative ones in points, 1/480 of the picture's
+/// height.
 struct Ink {
   std::uint32_t colour = 0;
   float opacity = 1.0F;
@@ -69,7 +70,7 @@ struct Pose {
 };
 enum class Align : std::uint8_t { left, middle, right };
 
-/// Three characters as a whole number below 2^24, which a float has exactly.
+/// Three characters as a whole number below 2^24, which a float represents exactly.
 constexpr float pack_characters(std::string_view text, std::size_t first) {
   std::uint32_t packed = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -82,7 +83,7 @@ constexpr float pack_characters(std::string_view text, std::size_t first) {
 template <class Message>
 inline constexpr std::size_t kSceneRows = size_of<Message> / kSceneColumns;
 
-/// Writes a scene into `message`, float32 [rows, 16]. What comes when it is full is left out.
+/// Writes a scene into `message`, float32 [rows, 16]. Shapes that do not fit are left out.
 template <class Message>
 class SceneWriter {
   static_assert(std::is_same_v<ScalarOf<Message>, float> && kSceneRows<Message> > 0 &&
@@ -92,7 +93,7 @@ class SceneWriter {
  public:
   /// An empty scene.
   explicit constexpr SceneWriter(Message& message) : message_(message) { message = Message{}; }
-  /// `base`, to be drawn on.
+  /// Starts from `base`, and adds shapes to it.
   constexpr SceneWriter(Message& message, const Message& base) : message_(message) {
     message = base;
     while (rows_ < kSceneRows<Message> && message_[rows_ * kSceneColumns] != 0.0F) ++rows_;
@@ -213,7 +214,7 @@ struct SceneRow {
   Ink ink{};
   const float* n = nullptr;  // [12], the shape's own numbers
 
-  /// Of 16 numbers; whatever they are, the result is one that can be drawn or is none.
+  /// Reads 16 numbers. For any numbers, the result is a shape that can be drawn, or none.
   static constexpr SceneRow read(const float* row) {
     SceneRow result;
     result.n = row + 4;
@@ -235,7 +236,7 @@ struct SceneRow {
   }
 
  private:
-  /// 0 for what is not a number from 0 to `high`.
+  /// 0 for anything but a number from 0 to `high`.
   static constexpr int whole(float value, int high) {
     return value >= 0.0F && value <= static_cast<float>(high) ? static_cast<int>(value) : 0;
   }

@@ -1,4 +1,4 @@
-// Which rates are due at a slot.
+// The rates that are due at a slot.
 #pragma once
 
 #include <cstdint>
@@ -8,21 +8,20 @@
 
 namespace eagerx {
 
-/// A due mask that the compiler knows: one specialisation of the schedule for each distinct one.
+/// A due mask known at compile time: one specialization of the schedule for each distinct mask.
 template <auto Mask>
 using Constant = std::integral_constant<decltype(Mask), Mask>;
 
-/// For hyperperiods too long for a table: how far away the next tick of every rate is.
-/// `Periods::kQuanta`: the periods in quanta, shortest first, each another. A rate whose period is
-/// a multiple of another's counts the ticks of that one, and only when there is one; the others
-/// count quanta.
+/// For hyperperiods too long for a table: the time until the next tick of every rate.
+/// `Periods::kQuanta`: the distinct periods in quanta, shortest first. A rate whose period is a
+/// multiple of another's counts the ticks of that rate; the others count quanta.
 template <class Mask, class Periods>
 class Countdown {
  public:
   constexpr void reset() {
     for (auto& left : left_) left = 0;
   }
-  /// The rates that are due next, earliest first.
+  /// The mask of the rates that are due next.
   constexpr Mask next() { return next(std::make_integer_sequence<std::uint32_t, kRates>{}); }
 
  private:

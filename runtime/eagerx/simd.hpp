@@ -1,6 +1,6 @@
-// SIMD vectors: N numbers that are computed together, like C++26's std::simd, in the words that
-// eagerx/math.hpp and entities are written in. One lane is one environment (or one sample): its
-// bits are those of a plain number.
+// SIMD vectors: N numbers that are computed together, like C++26's std::simd, with the operations
+// that eagerx/math.hpp and entities use. One lane is one environment (or one sample): its bits are
+// those of a plain number.
 //
 // Built on the vector types of GCC and Clang (GCC manual, "Using Vector Instructions through
 // Built-in Functions"). A vector wider than a register is taken apart badly (8 to 10 times slower
@@ -21,7 +21,7 @@
 
 namespace eagerx {
 
-// Register by register: as a whole, GCC 12 copies it through memory and a word at a time.
+// Copies register by register: GCC 12 copies the whole through memory, word by word.
 // NOLINTBEGIN(bugprone-macro-parentheses): the name of a class
 #define EAGERX_SIMD_COPIES(Class)                                                                \
   [[gnu::always_inline]] constexpr Class(const Class& other) {                                   \
@@ -41,8 +41,7 @@ struct SimdConversion;
 
 }  // namespace detail
 
-/// N truth values for SIMD vectors of numbers of `Bytes` bytes: all bits of a lane are set where
-/// true.
+/// N truth values for SIMD vectors of numbers of `Bytes` bytes: true sets all bits of a lane.
 template <std::size_t Bytes, std::size_t N, std::size_t Width = detail::kWidthFor<Bytes, N>>
 struct Mask {
   using Lane = typename detail::SignedOf<Bytes>::type;
@@ -96,7 +95,7 @@ struct Mask {
   }
 };
 
-/// N numbers of type T, in registers of `Width` of them each.
+/// N numbers of type T, in registers of `Width` numbers each.
 template <class T, std::size_t N, std::size_t Width = detail::kWidthFor<sizeof(T), N>>
 struct Simd {
   static_assert(std::is_arithmetic_v<T> && std::has_single_bit(Width) && N % Width == 0);
@@ -114,7 +113,7 @@ struct Simd {
   [[gnu::always_inline]] constexpr Simd(T x) {
     detail::unrolled<kCount>([&](auto i) __attribute__((always_inline)) { v[i] = x - Vector{}; });
   }
-  /// The numbers of another SIMD vector as T, lane by lane as `static_cast` does.
+  /// Converts the numbers of another SIMD vector to T, lane by lane like `static_cast`.
   template <class S, std::size_t Other>
   requires(!std::is_same_v<S, T>)
       [[gnu::always_inline]] explicit Simd(const Simd<S, N, Other>& other)
@@ -210,13 +209,13 @@ struct LaneTraits<Mask<Bytes, N, W>> {
   static constexpr int kLanes = static_cast<int>(N);
 };
 
-/// Messages consist of SIMD vectors and masks as well as of numbers.
+/// Messages may consist of SIMD vectors and masks, too.
 template <class T, std::size_t N, std::size_t W>
 inline constexpr bool is_number<Simd<T, N, W>> = true;
 template <std::size_t Bytes, std::size_t N, std::size_t W>
 inline constexpr bool is_number<Mask<Bytes, N, W>> = true;
 
-/// `when_true` in the lanes where `mask` holds, `when_false` elsewhere; both are computed.
+/// `when_true` in the lanes whose mask is true, `when_false` in the others; both are computed.
 template <class T, std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline Simd<T, N, W> select(
     const Mask<sizeof(T), N, W>& mask, const Simd<T, N, W>& when_true,
@@ -240,7 +239,7 @@ template <std::size_t Bytes, std::size_t N, std::size_t W>
   return (mask & when_true) | ((!mask) & when_false);
 }
 
-/// True if the mask holds in any lane.
+/// True if the mask is true in any lane.
 template <std::size_t Bytes, std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline bool any(const Mask<Bytes, N, W>& mask) {
   using Truth = Mask<Bytes, N, W>;
@@ -249,7 +248,7 @@ template <std::size_t Bytes, std::size_t N, std::size_t W>
   return detail::any_lane(all);
 }
 
-/// A bit for each lane in which the mask holds.
+/// A bit for each lane, set if the mask is true.
 template <std::size_t N, std::size_t W>
 requires(N <= 64) [[gnu::always_inline]] inline std::uint64_t lane_bits(const Mask<4, N, W>& mask) {
   std::uint64_t all = 0;
@@ -282,7 +281,7 @@ template <std::size_t N, std::size_t W>
   });
 }
 
-/// Lane by lane the product of what is in the lower 32 bits of each.
+/// The product of the lower 32 bits of each lane.
 template <std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline Simd<std::uint64_t, N, W> product_of_lower_halves(
     const Simd<std::uint64_t, N, W>& a, const Simd<std::uint64_t, N, W>& b) {
@@ -297,7 +296,7 @@ template <class T, std::size_t N, std::size_t W>
                                __attribute__((always_inline)) { return detail::roots(x.v[i]); });
 }
 
-/// As of plain numbers.
+/// Like those of plain numbers.
 template <class T, std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline Simd<T, N, W> min(const Simd<T, N, W>& a,
                                                 const std::type_identity_t<Simd<T, N, W>>& b) {

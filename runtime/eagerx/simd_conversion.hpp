@@ -10,7 +10,7 @@
 
 namespace eagerx::detail {
 
-/// Lane by lane what `static_cast` does.
+/// Lane by lane like `static_cast`.
 template <class T, class S, std::size_t N, std::size_t W, std::size_t V>
 struct SimdConversion<Simd<T, N, W>, Simd<S, N, V>> {
   using To = Simd<T, N, W>;
@@ -69,7 +69,7 @@ struct SimdConversion<Simd<T, N, W>, Simd<S, N, V>> {
     });
   }
 
-  /// Whether all numbers, without what is behind their points, are std::int32_t: `words`.
+  /// Whether all numbers, truncated, fit into std::int32_t; `words` are the results.
   [[gnu::always_inline]] static bool fit(const From& from, Words& words) {
     if constexpr (std::is_floating_point_v<S>) {
       const auto inside = (from > From(S(-0x1p31F))) & (from < From(S(0x1p31F)));

@@ -1,4 +1,4 @@
-// Spaces: what a message may hold. Bounds are inclusive, as in Gymnasium's Box.
+// Spaces: the valid values of a message. Bounds are inclusive, as in Gymnasium's Box.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// When your own main loop calls step(), and how many steps in a row were too late.
+// Times at which your own main loop calls step(), and the number of consecutive late steps.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace eagerx {
 
-/// The value of a message that was not measured: NaN, which the guard handles, or 0 for whole
-/// numbers, which have no NaN.
+/// The value of a missing measurement: NaN, which the guard handles, or 0 for whole numbers, which
+/// have no NaN.
 template <class Message>
 constexpr Message not_measured() {
   using Scalar = ScalarOf<Message>;
@@ -22,7 +22,7 @@ constexpr Message not_measured() {
   }
 }
 
-/// A clock of 32 bits as one of 64: microseconds overflow after 71 minutes. Give it the time at
+/// Extends a 32-bit clock to 64 bits: microseconds overflow after 71 minutes. Pass the time at
 /// least that often.
 class WideClock {
  public:
@@ -37,10 +37,10 @@ class WideClock {
   std::uint32_t last_ = 0;
 };
 
-/// The instants n/Rate after start(), in microseconds of the caller's clock, which never goes back.
-/// The instants stay where they are: lateness does not add up, and the period is not rounded. An
-/// instant that is over when the next one has come is left out, so a loop that stood still does not
-/// make up for it with steps in a row on one measurement.
+/// The instants n/Rate after start(), in microseconds of the caller's clock, which must be
+/// monotonic. The instants are fixed: lateness does not accumulate, and the period is not rounded.
+/// If the next instant has come, the current one is skipped, so a loop that hung does not catch up
+/// with several steps on one measurement.
 template <class Rate>
 class StepTimes {
  public:
@@ -55,12 +55,12 @@ class StepTimes {
 
   /// When the next step is due.
   std::uint64_t next_us() const { return next_us_; }
-  /// Microseconds until then; 0 if it is time.
+  /// Microseconds until the next step is due; 0 if it is due now.
   std::uint64_t until_next(std::uint64_t now_us) const {
     return now_us < next_us_ ? next_us_ - now_us : 0;
   }
 
-  /// The step that is due begins.
+  /// Begins the step that is due.
   void begin(std::uint64_t now_us) {
     const std::uint64_t late_us = now_us > next_us_ ? now_us - next_us_ : 0;
     std::uint64_t missed = periods_in(late_us);
@@ -75,14 +75,14 @@ class StepTimes {
     next_us_ = us_of(next_);
   }
 
-  /// The second argument of step(): how many steps up to this one were too late. To be asked when
-  /// the measurements are there, because these take time, too.
+  /// The second argument of step(): the number of consecutive late steps, up to this one. Call it
+  /// after the measurements, because these take time, too.
   std::uint64_t late_in_a_row(std::uint64_t now_us) const {
     return late_instants(late_in_a_row_, now_us > due_us_ ? now_us - due_us_ : 0, kPeriodUs,
                          max_lateness_us_);
   }
 
-  /// f(name, count) for each.
+  /// Calls f(name, count) for each count.
   template <class F>
   void for_each_count(F&& f) const {
     f("steps too late", late_steps_);
@@ -100,7 +100,8 @@ class StepTimes {
     return us / kUsPerSecond * Rate::num / Rate::den +
            us % kUsPerSecond * Rate::num / (kUsPerSecond * Rate::den);
   }
-  /// Of instant n, rounded down, so that n periods have passed; in two parts: for centuries.
+  /// The time of instant n, rounded down, so that n periods have passed. In two parts, so that it
+  /// works for centuries.
   std::uint64_t us_of(std::uint64_t n) const {
     const std::uint64_t periods = n * Rate::den;
     return start_us_ + periods / Rate::num * kUsPerSecond +

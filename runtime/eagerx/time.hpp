@@ -1,4 +1,4 @@
-// Times that stay exact however long a program runs: whole seconds, and phases modulo a turn.
+// Times that stay exact in programs that run for years: whole seconds, and phases modulo a turn.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,14 @@
 
 namespace eagerx {
 
-/// A time since the reset, in whole seconds and the rest: [0, 1) s.
+/// A time since the reset: whole seconds, and the rest in [0, 1) s.
 template <class Lane>
 struct ExactTime {
   std::int64_t whole_s;
   Lane rest_s;
 };
 
-/// The time of tick `n` of `Rate`; the rest is rounded once, however long the program runs.
+/// The time of tick `n` of `Rate`; the rest is rounded once, for any `n`.
 template <class Rate, class Lane>
 constexpr ExactTime<Lane> exact_time(Seq n) {
   constexpr Seq kNum = Rate::num;
@@ -23,20 +23,20 @@ constexpr ExactTime<Lane> exact_time(Seq n) {
           static_cast<Lane>(parts % kNum) / static_cast<Lane>(kNum)};
 }
 
-/// Of a time in a configuration, which is not negative.
+/// Converts a time of a configuration, which is not negative.
 template <class Lane>
 constexpr ExactTime<Lane> exact_seconds(double seconds) {
   const auto whole = static_cast<std::int64_t>(seconds);
   return {whole, static_cast<Lane>(seconds - static_cast<double>(whole))};
 }
 
-/// In one number, with the digits that it has: to compare and to multiply, not for phases.
+/// The time as one number, with the precision of its type: to compare and multiply, not for phases.
 template <class Lane>
 constexpr Lane seconds_of(const ExactTime<Lane>& t) {
   return static_cast<Lane>(t.whole_s) + t.rest_s;
 }
 
-/// `t` − `from` in seconds: what both have in common is not rounded.
+/// `t` − `from` in seconds, without rounding the common part.
 template <class Lane>
 constexpr Lane seconds_between(const ExactTime<Lane>& from, const ExactTime<Lane>& t) {
   return static_cast<Lane>(t.whole_s - from.whole_s) + (t.rest_s - from.rest_s);
@@ -69,8 +69,8 @@ constexpr Lane fraction_of(std::uint64_t fixed) {
          static_cast<Lane>(std::uint64_t{1} << kDigits);
 }
 
-/// The fraction of frequency·t in [0, 1]: exact for whole seconds, and with the roundings of
-/// frequency·(a second) for the rest, however long the program runs.
+/// The fraction of frequency·t in [0, 1]: exact for whole seconds, and with the rounding errors of
+/// frequency·(one second) for the rest, for any `t`.
 template <class Lane>
 constexpr Lane turns_of(const ExactFrequency<Lane>& frequency, const ExactTime<Lane>& t) {
   const std::uint64_t turned = frequency.turns_per_second * static_cast<std::uint64_t>(t.whole_s);

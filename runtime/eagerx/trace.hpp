@@ -9,7 +9,7 @@
 
 namespace eagerx {
 
-/// The bits of a number as the trace sees them: one NaN for all NaNs, integers sign-extended.
+/// The bits of a number in the trace: the same NaN for all NaNs, integers sign-extended.
 template <class T>
 constexpr std::uint64_t canonical_bits(T value) {
   if constexpr (std::is_floating_point_v<T>) {
@@ -22,8 +22,8 @@ constexpr std::uint64_t canonical_bits(T value) {
   }
 }
 
-/// Hooks of a program (hooks.hpp): 64-bit hash of all episodes so far. Equal on every target for
-/// the same graph, seed and agent.
+/// Hooks of a program (hooks.hpp) that compute a 64-bit hash of all episodes so far, equal on every
+/// target for the same graph, seed and agent.
 class HashTrace {
  public:
   void on_episode(std::uint32_t index) { fold(0x8000000000000000U | index); }
@@ -36,7 +36,7 @@ class HashTrace {
 
  private:
   static constexpr std::uint64_t kStart = 0xcbf29ce484222325U;
-  // Stored xor-ed with the start value, so that the whole program object is zero before its reset.
+  // Stored xor'ed with the start value, so that the whole program object is zero before its reset.
   void fold(std::uint64_t word) {
     std::uint64_t h = ((folded_ ^ kStart) ^ word) * 0x9e3779b97f4a7c15U;
     h ^= h >> 32U;

@@ -1,5 +1,5 @@
-// The trace as text: what `--trace` writes, on every target. Its form is in targets/README.md, "The
-// trace file"; runtime/host/trace reads it.
+// The trace as text, which `--trace` writes on every target. targets/README.md, "The trace file",
+// describes its format; runtime/host/trace reads it.
 #pragma once
 
 #include <cstddef>
@@ -85,7 +85,7 @@ class TraceText {
     out.text("\n");
   }
 
-  /// The last line: how many messages there were, and their hash. A file without it ended early.
+  /// The last line: the number of messages, and their hash. A file without it is incomplete.
   static void end(Writer& out, std::uint64_t messages, std::uint64_t hash) {
     constexpr unsigned kBitsPerDigit = 4;
     constexpr unsigned kBits = 64;

@@ -1,4 +1,4 @@
-// Whether what a program is given may act, or what is safe takes over: `safety:` of a graph.
+// Decides whether a program's inputs may act, or safe values take over: `safety:` of a graph.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ constexpr bool is_finite(const Message& message) {
   return finite;
 }
 
-/// NaN and infinity never are. One comparison where bounds are symmetric.
+/// False for NaN and infinity. One comparison if bounds are symmetric.
 template <class T>
 constexpr bool is_finite_within(T x, T low, T high) {
   if constexpr (std::is_floating_point_v<T>) {
@@ -53,7 +53,7 @@ class Verdict {
   static constexpr Safety kSafety = Limits::kSafety;
   static constexpr std::size_t kActions = Limits::kActionNames.size();
 
-  /// `has_last`: whether the safe action may be held, as if it had been the action before.
+  /// `has_last`: whether the safe action may be held, as if it were the previous action.
   void reset(bool has_last) {
     right_ = kAllRight;
     bad_ = 0;
@@ -64,13 +64,13 @@ class Verdict {
 
   bool is_safe() const { return is_safe_; }
 
-  /// False if what is safe takes over in this step; otherwise `action` becomes what is applied.
-  /// `seen`: whether what the action answers was finite. `is_wrong`: whether something else is
-  /// wrong with it, so that neither it nor the last one may act.
+  /// False if the safe action takes over in this step; otherwise `action` becomes the action to
+  /// apply. `seen`: whether the observation that the action answers was finite. `is_wrong`: whether
+  /// the action has another problem, so that neither it nor the last one may act.
   bool check(Action& action, bool seen, std::uint64_t late_in_a_row, bool is_wrong = false) {
     const bool late = late_in_a_row >= kSafety.late;
     overruns_ += late ? 1U : 0U;
-    // Nearly always everything is right, which is one look at each number.
+    // The usual case, without a problem, takes one check of each number.
     const bool right = is_right(action);
     const bool numbers = seen && (right || are_numbers(action));
     const bool within = numbers && (right || move_into_limits(action));
@@ -91,7 +91,7 @@ class Verdict {
     return true;
   }
 
-  /// A step that was allowed to act gave a wrong result: the safe values take over.
+  /// The result of an allowed step is wrong: the safe values take over.
   void refuse() {
     note(false);
     ++safe_steps_;
@@ -141,7 +141,7 @@ class Verdict {
                             });
   }
 
-  /// True if it was within them.
+  /// True if the action was within its limits.
   [[gnu::noinline, gnu::cold]] bool move_into_limits(Action& action) {
     bool within = true;
     std::size_t channel = 0;
@@ -162,7 +162,7 @@ class Verdict {
       is_safe_ = true;
       right_ = 0;
     } else if (is_safe_) {
-      // The instant that completes `recover` right ones is the first whose action is applied.
+      // The `recover`th consecutive good instant is the first whose action is applied.
       if (right_ != kAllRight) ++right_;
       is_safe_ = kSafety.recover == 0 || right_ < kSafety.recover;
     }

@@ -1,5 +1,5 @@
-// The version of the runtime. Generated code checks it, so that old output never meets a new
-// runtime silently. It is that of eagerx-gen and of the package, too: CMakeLists.txt reads it here.
+// The version of the runtime. Generated code checks it, so that old output never compiles with a
+// new runtime. eagerx-gen and the package have the same version: CMakeLists.txt reads it here.
 #pragma once
 
 namespace eagerx {

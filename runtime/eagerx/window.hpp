@@ -13,7 +13,7 @@
 
 namespace eagerx {
 
-/// Where message `seq` lives in a ring of `Capacity` places. No head is stored anywhere.
+/// Position of message `seq` in a ring of `Capacity` places. The ring stores no head.
 template <std::uint32_t Capacity>
 constexpr std::uint32_t ring_position(Seq seq) {
   static_assert(Capacity > 0);
@@ -24,9 +24,9 @@ constexpr std::uint32_t ring_position(Seq seq) {
   }
 }
 
-/// The messages an input holds at a tick. `MaxSize` is the largest possible number (the window of
-/// the connection, or, for window 0, the most that arrive between two ticks); `AlwaysFull`: there
-/// are never fewer. Valid until the callback returns.
+/// The messages of an input at a tick. `MaxSize` is the maximum number of messages (the window of
+/// the connection or, for window 0, the maximum that arrives between two ticks); `AlwaysFull`:
+/// there are never fewer. Valid until the callback returns.
 template <class Message, class SourceRate, std::uint32_t Capacity, std::uint32_t MaxSize,
           bool AlwaysFull>
 class Window {
@@ -73,7 +73,7 @@ class Window {
     return ring_[ring_position<Capacity>(end_ - 1)];
   }
 
-  /// The newest message, or `otherwise` while there is none.
+  /// The newest message, or `otherwise` if there is none.
   constexpr Message back_or(const Message& otherwise) const {
     return empty() ? otherwise : back();
   }
@@ -82,13 +82,13 @@ class Window {
   constexpr Seq seq(std::uint32_t i) const {
     return end_ - size() + i;
   }
-  /// Time at which message `i` was sent, in seconds since the reset (a delay is not added).
+  /// Time at which message `i` was sent, in seconds since the reset, without the delay.
   template <class Real>
   constexpr Real sent_s(std::uint32_t i) const {
     return SourceRate::template seconds<Real>(seq(i));
   }
   /// Seconds from message `i` to message `j` by the same times. Unlike a difference of two
-  /// sent_s(), it keeps its digits however long the program runs.
+  /// sent_s(), it keeps its precision in long runs.
   template <class Real>
   constexpr Real between_s(std::uint32_t i, std::uint32_t j) const {
     return i <= j ? SourceRate::template seconds<Real>(seq(j) - seq(i))
@@ -107,7 +107,7 @@ class Window {
 };
 
 /// An observation as EAGERx gives it to an agent: always `W` messages. Missing ones at the front
-/// are copies of the oldest; without any message they are 0, so that an agent can act at once.
+/// are copies of the oldest, or 0 if there are none, so that an agent can act immediately.
 template <class Message, class SourceRate, std::uint32_t Capacity, std::uint32_t W, bool AlwaysFull>
 class PaddedWindow {
  public:
@@ -127,7 +127,7 @@ class PaddedWindow {
     }
   }
   constexpr const Message& back() const { return (*this)[W - 1]; }
-  /// How many of the messages are real.
+  /// The number of messages without padding.
   constexpr std::uint32_t received() const { return window_.size(); }
   /// The same without padding.
   constexpr const auto& unpadded() const { return window_; }

@@ -84,7 +84,7 @@ function(_eagerx_is_whole variable kept)
   endif()
 endfunction()
 
-# What must be equal for a library to be the same. A change of a file configures anew.
+# Makes the key of a compiled library from everything that affects its contents. A change of a file reconfigures.
 function(_eagerx_library_key variable name sources folders options of_its_type)
   set(type)
   if(of_its_type OR CMAKE_BUILD_TYPE STREQUAL Debug)

@@ -191,7 +191,8 @@ function(_eagerx_find_board folder_variable toolchain_variable board paths)
   endif()
 endfunction()
 
-# What the rule of a program writes, besides its sources; next to it are flags of the libraries that its entities need.
+# The file that the rule of a program writes in addition to its sources. Next to it are flags of the libraries that its
+# entities need.
 function(_eagerx_stamp variable target)
   set(${variable} ${CMAKE_CURRENT_BINARY_DIR}/${target}.eagerx.stamp PARENT_SCOPE)
 endfunction()
@@ -304,7 +305,7 @@ function(_eagerx_build_with_toolchain target stamp output board board_folder too
   foreach(path IN LISTS paths)
     list(APPEND options --path ${path})
   endforeach()
-  # What the image takes; fails when that is more than the graph's `budget:`.
+  # Measures the image, and fails if it exceeds the graph's `budget:`.
   add_custom_target(
     ${target}.size
     COMMAND eagerx::eagerx-gen size ${image} --build ${build} --graph ${graph} ${options}

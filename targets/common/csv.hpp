@@ -1,4 +1,4 @@
-// The table of `--csv`: a row a step, the same columns on every target.
+// The table of `--csv`: one row per step, the same columns on every target.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 namespace eagerx::target {
 
 /// Columns: `episode,step,time_s`, every element of every observation, every element of every
-/// action. A column is called `name` (a scalar), `name[i]` (element i, flat, row-major), `name[w]`
-/// or `name[w][i]` when the observation has a window of more than one message (0 is the oldest).
-/// Row 0 of an episode is the observation of the reset, without actions; row k holds action k and
-/// the observation it led to. An observation with window 0 has columns for the most messages there
-/// can be; those it has not are empty, behind those it has. Behind the actions, a graph with a task
-/// has columns for what the step was worth: `task.reward` and so on. `Writer` has
-/// text(std::string_view) and number(value).
+/// action. A column is named `name` (a scalar), `name[i]` (element i, flat, row-major), or
+/// `name[w]` or `name[w][i]` if the observation has a window of more than one message (0 is the
+/// oldest). Row 0 of an episode is the observation of the reset, without actions; row k has action
+/// k and the observation that followed it. An observation with window 0 has columns for the maximum
+/// number of messages; the last columns are empty if it has fewer. After the actions, a graph with
+/// a task has columns for its results: `task.reward` and so on. `Writer` has text(std::string_view)
+/// and number(value).
 template <class Graph, class Writer>
 class CsvTable {
  public:
@@ -29,7 +29,7 @@ class CsvTable {
     void operator()(Writer& /*out*/) const {}
   };
 
-  /// `more(out)` writes the names of further columns, each behind a comma; in row(), their values.
+  /// `more(out)` writes the names of further columns, each after a comma; in row(), their values.
   template <class More = NoMore>
   static void header(Writer& out, const Observation& observation, const More& more = {}) {
     out.text("episode,step,time_s");

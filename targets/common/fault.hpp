@@ -1,4 +1,5 @@
-// Faults of what an agent sees and gives: a sensor that falls silent, a number that is none.
+// Injected faults of an agent's observations and actions: a silent sensor, a number that is not
+// finite.
 #pragma once
 
 #include <cstddef>
@@ -57,8 +58,8 @@ struct PlacedFault {
   }
 };
 
-/// Number `number` of a place with its faults, where `before` was a step earlier (in step 0: what
-/// is there now). One that is silent hides the others.
+/// Applies the faults of a place to the number `number`; `before` is the value one step earlier (in
+/// step 0, the current one). A silent fault hides the others.
 template <class T>
 T with_faults(const std::vector<PlacedFault>& faults, std::size_t place, std::size_t number,
               Seq step, T now, T before) {
@@ -81,9 +82,9 @@ struct FaultProblem {
   std::string note = {};  // of a name with another separator, which is accepted
 };
 
-/// nullopt for a fault of something that is not there or cannot have it; `problem` says which.
-/// Where an observation and an action have one name, `observations.` or `actions.` tells them
-/// apart.
+/// nullopt for a fault of an unknown element, or of one that cannot have it; see `problem`. If an
+/// observation and an action have the same name, the prefix `observations.` or `actions.` selects
+/// one.
 std::optional<PlacedFault> place_fault(Fault fault, const std::vector<FaultPlace>& places,
                                        FaultProblem& problem);
 

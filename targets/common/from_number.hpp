@@ -1,4 +1,4 @@
-// Numbers of rows, in which everything is a floating-point number, as what messages hold.
+// Converts the floating-point numbers of rows into elements of messages.
 #pragma once
 
 #include <cmath>

@@ -21,7 +21,7 @@ inline constexpr std::uint32_t kWidestPicture = 4096;
 /// Shapes in space of a picture; more are left out. RigidDrawing has at most as many rows.
 inline constexpr std::size_t kMostShapes = 1024;
 
-/// The part of hooks that keeps what was shown last: nothing for a graph without `render:`.
+/// The part of hooks that keeps the last picture; empty for a graph without `render:`.
 template <class Graph>
 class LastShown {
  public:

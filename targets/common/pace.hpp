@@ -30,17 +30,17 @@ struct Timing {
 /// The use of the time: nothing, measure, or hold slots to their deadlines.
 enum class Pace : std::uint8_t { free, measured, paced };
 
-/// The work between slots: nothing. Others have kWorks = true, until(deadline,
-/// late slots), which returns some microseconds before the deadline, and measured(), which stands
-/// for it where nothing has a deadline.
+/// No work between slots. Other classes have kWorks = true, until(deadline, late slots), which
+/// returns some microseconds before the deadline, and measured(), which replaces it if there are no
+/// deadlines.
 struct NoIdleWork {
   static constexpr bool kWorks = false;
 };
 
-/// Hooks that fold the hash as HashTrace does and, on request, wait for the deadline of each
-/// slot. The grid of deadlines stays where it is: lateness does not add up, and a late slot begins
-/// at once. It never sleeps: `wfi` keeps the wrong time under QEMU. `Clock` has static ticks(),
-/// wait_for(ticks) and hz().
+/// Hooks that fold the hash as HashTrace does and, on request, wait for the deadline of each slot.
+/// The grid of deadlines is fixed: lateness does not accumulate, and a late slot begins
+/// immediately. It never sleeps, because `wfi` has wrong timing under QEMU. `Clock` has static
+/// ticks(), wait_for(ticks) and hz().
 template <class Clock, class IdleWork = NoIdleWork>
 class PacedHooks : public HashTrace {
  public:
@@ -67,7 +67,7 @@ class PacedHooks : public HashTrace {
       deadline_ = start_;
       return;
     }
-    // In two parts: for centuries, whatever rate and clock.
+    // In two parts, so that it works for centuries with any rate and clock.
     const std::uint64_t periods = tick * Rate::den;
     const std::uint64_t deadline =
         start_ + periods / Rate::num * Clock::hz() + periods % Rate::num * Clock::hz() / Rate::num;
@@ -127,7 +127,7 @@ class PacedHooks : public HashTrace {
       Clock::wait_for(deadline);
       now = Clock::ticks();
     }
-    // After the wait, in which a debugger may have stopped the core for as long as it likes.
+    // Checked after the wait, during which a debugger may have stopped the core.
     const bool too_late = now > deadline && now - deadline > max_lateness_;
     timing_.too_late_in_a_row = too_late ? timing_.too_late_in_a_row + 1 : 0;
     return now;

@@ -1,4 +1,5 @@
-// The board's half of a split graph: does what the host says over the link, until that ends.
+// The board's half of a split graph: follows the host's commands over the link until the end of the
+// run.
 #pragma once
 
 #include <cstdint>
@@ -45,8 +46,8 @@ typename Graph::Action decide(Agent agent, EpisodeKey key, Seq step,
                     program);
 }
 
-/// One episode after its reset. Returns when something else than a step is to be done: true, with
-/// `command`, or false when the session is over.
+/// Runs one episode after its reset. Returns true, with `command`, at a command other than a step,
+/// or false when the session has ended.
 template <class Graph, class Program, class Link>
 bool run_steps(Program& program, Link& link, const link::Episode& episode, std::uint8_t& command) {
   typename Graph::Observation observation = program.reset(Graph::sample(episode.key));
@@ -82,9 +83,9 @@ void report(const Program& program, Link& link, std::uint32_t stack_bytes) {
   link::end_counts(link);
 }
 
-/// Serves one host after the other, each with a program as new. `stack_bytes()` is the deepest use
-/// of the stack so far, 0 where it is not measured. Returns when the line is closed: whether the
-/// last host had finished.
+/// Serves one host after the other, each with a fresh program. `stack_bytes()` is the maximum stack
+/// depth so far, 0 if it is not measured. Returns when the line is closed: whether the last host
+/// had finished.
 template <class Graph, class Port, class StackBytes>
 bool serve(BoardProgramOf<Graph, Port>& program, BoardLinkOf<Graph, Port>& link,
            StackBytes&& stack_bytes) {

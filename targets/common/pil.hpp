@@ -48,7 +48,7 @@ using board::console;
 
 inline constexpr int kSame = 0, kSelfTestFailed = 1, kDiffers = 1;
 
-/// Elements of what was recorded, one after the other.
+/// Reads the recorded elements one after the other.
 class Reader {
  public:
   explicit Reader(const std::uint32_t* words) : words_(words) {}

@@ -1,4 +1,4 @@
-// Rewards that are not numbers, on every target: how often, and which term is to blame.
+// Counts rewards that are not finite, on every target, and finds the term that causes them.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace eagerx::target {
 
-/// Counts a reward that is not finite, with its terms [n], in counts [1 + n]. What is to blame: 1 +
-/// the first such term, or 0, the reward itself, where only the sum is too large.
+/// Counts a reward that is not finite, with its terms [n], in counts [1 + n]. Returns 1 + the first
+/// such term, or 0 for the reward itself, if only the sum is too large.
 template <class Real>
 std::size_t count_not_finite(const Real* terms, std::size_t n, std::uint32_t* counts) {
   std::size_t first = 0;

@@ -1,6 +1,5 @@
-// The loop of every target: episodes, steps and an agent. One text for Linux and for boards, so
-// that two programs of one graph do the same things in the same order and end with the same trace
-// hash.
+// The loop of every target: episodes, steps and an agent. Linux and boards share it, so that two
+// programs of one graph do the same things in the same order and end with the same trace hash.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +35,7 @@ struct OutcomeOf<Graph> {
   using Type = typename Graph::Outcome;
 };
 
-/// The defaults of a program: an episode is as long as the graph's task says, if it says it.
+/// The defaults of a program: the length of an episode is that of the graph's task, if it has one.
 template <class Graph>
 constexpr RunPlan default_plan() {
   RunPlan plan;
@@ -51,7 +50,7 @@ constexpr RunPlan default_plan() {
 enum class Agent : std::uint8_t { policy, zero, random, csv };
 inline constexpr std::uint8_t kAgents = 4;
 
-/// The agent called `name` in graphs and on command lines; false if there is none.
+/// The agent with this name in graphs and on command lines; false if there is none.
 constexpr bool agent_of(std::string_view name, Agent& agent) {
   if (name == "policy") return agent = Agent::policy, true;
   if (name == "zero") return agent = Agent::zero, true;
@@ -82,7 +81,7 @@ constexpr Agent default_agent() {
   return agent;
 }
 
-/// The policy's action; what it remembers is in the program.
+/// The policy's action; its memory is in the program.
 template <class Graph, class Program>
 typename Graph::Action policy_action(const typename Graph::Observation& observation,
                                      Program& program) {
@@ -115,13 +114,13 @@ bool is_linked(const Program& program) {
   }
 }
 
-/// A program that asks others for messages before it needs them waits for those in flight.
+/// A program that requests messages before it needs them waits for those in flight.
 template <class Program>
 void drain(Program& program) {
   if constexpr (requires { program.drain(); }) program.drain();
 }
 
-/// The action applied in the last step: another program's decision, once that is there.
+/// The action applied in the last step: another program's decision, once it has arrived.
 template <class Program, class Action>
 void find_applied([[maybe_unused]] const Program& program, [[maybe_unused]] Action& action) {
   if constexpr (requires { program.applied(); }) action = program.applied();
@@ -189,7 +188,7 @@ constexpr bool is_tunable([[maybe_unused]] std::size_t i) {
     return false;
   }
 }
-/// Sets those of `states` between two steps; what is empty, and all others, stay as they are.
+/// Sets parameters from `states` between two steps; empty ones keep their values.
 template <class Program, class States>
 void tune([[maybe_unused]] Program& program, [[maybe_unused]] const States& states) {
   if constexpr (requires { program.tune(states); }) program.tune(states);
@@ -235,22 +234,22 @@ struct Watch {
   /// The initial state.
   States states(EpisodeKey key) { return Graph::sample(key); }
   void reset(std::uint32_t /*episode*/, const Observation& /*observation*/) {}
-  /// Whether an episode is over before its last step.
+  /// Whether an episode ends before its last step.
   bool is_over() { return false; }
   /// How many steps up to now were too late.
   std::uint64_t late_in_a_row() { return 0; }
-  /// `step` is from 1; `action`: what was applied.
+  /// `step` counts from 1; `action`: the applied one.
   void step(std::uint32_t /*episode*/, Seq /*step*/, const Action& /*action*/,
             const Observation& /*observation*/, const Outcome& /*outcome*/) {}
-  /// Whether messages of a step are looked at before the next one. If not, a part's messages and
-  /// what it has decided are not waited for.
+  /// Whether messages of a step are used before the next one. If not, the program does not wait for
+  /// a part's messages and decisions.
   bool looks() { return true; }
 };
 
 /// Runs `plan`; an episode has fewer steps if the graph's task ends it. `agent(key, step,
-/// observation)` gives an action, and the program's guard what is applied in its place. An episode
-/// of a program with a link to another one ends when the link does, and `watch` does not see that
-/// step. The run ends then, too, unless `watch` brings the other program back.
+/// observation)` returns an action, and the program's guard decides what is applied. If a link to
+/// another program is lost, the episode ends, and `watch` does not see that step. The run ends,
+/// too, unless `watch` reconnects the other program.
 template <class Graph, class Program, class AgentFunction, class WatchOfRun>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, WatchOfRun& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
@@ -279,8 +278,7 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
   }
 }
 
-/// The counters of a program besides its messages: f(name, count) for each. Counts are 32 or 64
-/// bits.
+/// Calls f(name, count) for each counter of a program. Counts have 32 or 64 bits.
 template <class Program, class F>
 void for_each_fault(const Program& program, F&& f) {
   if constexpr (requires { program.steps_before_reset(); })

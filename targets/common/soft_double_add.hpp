@@ -73,8 +73,8 @@ constexpr std::uint64_t pack(Magnitude value) {
 
 }  // namespace double_bits
 
-/// The bits of a + b, rounded to nearest, ties to even. NaN operands and inf - inf give a quiet
-/// NaN.
+/// The bits of a + b, rounded to nearest, ties to even. NaN operands and inf - inf result in a
+/// quiet NaN.
 constexpr std::uint64_t add_doubles(std::uint64_t a, std::uint64_t b) {
   using namespace double_bits;
   if ((a & ~kSign) < (b & ~kSign)) {  // a is the one of larger magnitude

@@ -1,4 +1,4 @@
-// Devices of the other drivers, for their tests: what a test needs of each, no more.
+// Devices for tests of the other drivers, each with only what its test needs.
 #pragma once
 
 #include <array>

@@ -48,8 +48,8 @@ class Chip {
   /// Forgets commands that are not complete.
   void purge() { pending_ = 0; }
 
-  /// Takes what the host has sent at `now_ns`; the answer goes to `to_host`. Commands may be cut
-  /// anywhere.
+  /// Processes the bytes that the host sent at `now_ns`; the answer goes to `to_host`. Commands may
+  /// be split anywhere.
   void take(const std::uint8_t* bytes, std::size_t n, std::int64_t now_ns, Fifo& to_host);
   /// When the last command is through.
   std::int64_t busy_until_ns() const { return at_ns_; }

@@ -6,7 +6,7 @@
 
 namespace eagerx::emulated {
 
-/// A device behind a select line.
+/// A device with a select line.
 class SpiSlave {
  public:
   SpiSlave() = default;
@@ -18,7 +18,7 @@ class SpiSlave {
   /// The select line falls or rises.
   virtual void select(std::int64_t now_ns) = 0;
   virtual void release(std::int64_t now_ns) = 0;
-  /// Takes a byte and gives one at the same time.
+  /// Receives and sends a byte at the same time.
   virtual std::uint8_t exchange(std::uint8_t byte) = 0;
   virtual void power_lost() = 0;
 };

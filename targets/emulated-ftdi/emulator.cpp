@@ -13,7 +13,7 @@ namespace {
 constexpr int kNoDevice = -4;
 constexpr int kTimeout = -7;
 
-// What a bulk transfer takes besides its bytes: a microframe of high-speed USB and the host's work.
+// Overhead of a bulk transfer: a microframe of high-speed USB and the host's work.
 constexpr std::int64_t kTransferNs = 125 * kNsPerUs;
 constexpr std::int64_t kByteNs = 25;  // 40 MB/s
 

@@ -49,7 +49,7 @@ struct UsbCounts {
   std::uint64_t batches = 0;    // transfers to the chip that ask for an answer at once
 };
 
-/// Results of bulk and control transfers are libusb's error codes, or what was moved.
+/// Results of bulk and control transfers are libusb's error codes, or the number of bytes.
 class Emulator {
  public:
   explicit Emulator(Settings settings);
@@ -75,7 +75,7 @@ class Emulator {
   void overslept() { converter_.want_zero(time_.now_ns()); }
   /// Whether the adapter is plugged in; it comes back by itself some time after a fault.
   bool is_there();
-  /// Opening gives a number that is valid until the adapter is pulled out.
+  /// Returns a number that is valid until the adapter is unplugged.
   std::uint64_t open();
   int control(std::uint64_t opened, unsigned interface, std::uint8_t type, std::uint8_t request,
               std::uint16_t value, std::uint8_t* data, std::uint16_t n);

@@ -1,4 +1,4 @@
-// Injected faults: which, how often, and how many did.
+// Injected faults: their kinds, their frequency, and how many were injected.
 #pragma once
 
 #include <array>

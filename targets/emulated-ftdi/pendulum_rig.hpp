@@ -40,8 +40,8 @@ class Pendulum {
 
   std::array<double, 8> factors_{1, 1, 1, 1, 1, 1, 1, 1};
   std::int64_t delay_ns_ = 0;
-  /// That the motor has not followed yet. Its room is there from the start, so that a program under
-  /// a guard against allocations does not stumble over the emulator's.
+  /// Commands that the motor has not followed yet. Its memory is allocated at the start, so that
+  /// the emulator causes no allocation in a program under a guard against allocations.
   std::vector<Command> commands_;
   double theta_ = 3.14159265358979;  // hangs down
   double omega_ = 0.0;
@@ -94,7 +94,7 @@ class Converter final : public SpiSlave {
   void want_zero(std::int64_t now_ns) {
     if (wanted_ns_ == 0 && !fresh_) wanted_ns_ = now_ns;
   }
-  /// The longest time until a command said so, or until now if there is none yet.
+  /// The longest time until a command of 0 V, or until now if there is none yet.
   std::int64_t slowest_zero_ns(std::int64_t now_ns) const;
   /// Times that the first command after power came back was another than 0 V.
   std::uint64_t unsafe_starts() const { return unsafe_starts_; }

@@ -1,4 +1,4 @@
-// Time as the program sees it: of the machine, or emulated.
+// Time as the program sees it: the machine's, or emulated.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@ inline constexpr std::int64_t kNsPerUs = 1'000;
 inline constexpr std::int64_t kNsPerMs = 1'000'000;
 inline constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 
-/// Emulated time advances only by what takes time: transfers, sleeping, and a little for every look
-/// at the clock. A run is then the same every time, however slow or busy the machine is.
+/// Emulated time advances only by transfers, sleeps, and a little for every read of the clock. So a
+/// run repeats exactly on a slow or busy machine.
 class Time {
  public:
   explicit Time(bool emulated) : emulated_(emulated) {}

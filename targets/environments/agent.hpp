@@ -20,8 +20,8 @@
 
 namespace eagerx::environments {
 
-/// Makes observations of rows again. A policy's inputs are float32 whatever the type of an
-/// observation, so a row has all that it can see.
+/// Converts rows back into observations. A policy's inputs are float32 for every type of
+/// observation, so a row has everything that it needs.
 template <class Graph>
 class SeenRows {
  public:
@@ -39,7 +39,7 @@ class SeenRows {
     places_.resize(places);
   }
 
-  /// Valid until the next call. A window of size 0 is full of what its row has.
+  /// Valid until the next call. A window of size 0 contains all messages of its row.
   Observation of(const float* row) {
     auto observation = std::bit_cast<Observation>(std::array<std::byte, sizeof(Observation)>{});
     std::size_t field = 0;
@@ -101,7 +101,8 @@ struct Rows {
   float* actions;
 };
 
-/// The agents of a batch, for the threads of its pool: over SIMD vectors where the policy is there.
+/// The agents of a batch, for the threads of its pool: over SIMD vectors if the policy supports
+/// them.
 template <class Graph>
 class Agents {
  public:
@@ -111,8 +112,8 @@ class Agents {
     simd_.make_room(members);
   }
 
-  /// Writes the actions of those that run, act_alone(k, observation) where nothing is
-  /// vectorized. What write_action() returned.
+  /// Writes the actions of running environments, with act_alone(k, observation) if they are not
+  /// vectorized. Returns the results of write_action().
   template <class IsRunning, class ActAlone>
   const char* act(unsigned member, Rows rows, IsRunning&& is_running, ActAlone&& act_alone) {
     const char* refused = nullptr;

@@ -28,8 +28,8 @@
 
 namespace eagerx::environments {
 
-/// Throws Problem for what a caller did wrong, std::bad_alloc and std::system_error in its
-/// constructor. Nothing is allocated behind that, but for states that are set, traces and counts.
+/// Throws Problem for errors of the caller, and std::bad_alloc and std::system_error in its
+/// constructor. After that it allocates only for states that are set, traces and counts.
 template <class Graph>
 class Batch {
  public:
@@ -124,7 +124,8 @@ class Batch {
     resets_.set_states.set(held_.size, mask, states);
   }
 
-  /// Of the next episodes; empty: the graph as it is written. Throws Problem, with nothing changed.
+  /// Sets the stage of the next episodes; empty: the graph as written. Throws Problem, and then
+  /// changes nothing.
   void set_stage(const std::uint8_t* mask, std::string_view stage) {
     resets_.staging.set(mask, stage);
   }
@@ -153,14 +154,14 @@ class Batch {
     held_.critic.read(rows, final_rows);
   }
 
-  /// Null: ends the file. Empty: only the hash. What cannot be written leaves the old trace.
+  /// Null: ends the file. Empty: only the hash. If the file cannot be written, the old trace stays.
   void trace(std::uint32_t k, const char* path) {
     runs_single_ = false;
     held_.trace(k, path);
   }
   std::uint64_t hash(std::uint32_t k) const { return held_.hash(k); }
 
-  /// Sums over all environments of what is not 0.
+  /// Sums of nonzero counts over all environments.
   Counts counts() const {
     Counts sums;
     const auto add = [&](const char* name, std::uint64_t count) { sums.add(name, count); };
@@ -169,7 +170,7 @@ class Batch {
     return sums;
   }
 
-  /// `pixels` [height][width][3]: what the environment showed last; white before that.
+  /// `pixels` [height][width][3]: the last picture of the environment; white before the first one.
   void picture(std::uint32_t k, const picture::Image& pixels) {
     if (!held_.drawn.any())
       refuse("these environments draw nothing: set `pictures` of eagerx_options to 1");
@@ -234,7 +235,7 @@ class Batch {
     const std::uint64_t vectorized = held_.simd.vectorized(first);
     if (vectorized != 0) take_actions(first, end, member, actions);
     const std::uint64_t alone = all & ~vectorized;  // a bit for each lane
-    // Where an episode has ended its row stays as it is, if nothing begins there.
+    // The row of an ended episode stays unchanged if no episode begins there.
     if (vectorized != 0 && held_.simd.writes_rows(end - first) &&
         (alone == 0 || autoreset_ != EAGERX_DISABLED)) {
       step_whole_group(first, alone, member, actions, step);
@@ -268,7 +269,7 @@ class Batch {
     }
   }
 
-  /// The rows of all lanes at once; then what is not the same for all.
+  /// The rows of all lanes at once; then the lanes that differ.
   void step_whole_group(std::uint32_t first, std::uint64_t alone, unsigned member,
                         const float* actions, Step& step) {
     const SimdRows simd_rows = held_.simd.rows_from(first, step.rows, held_.steps.get(), longest_);
@@ -352,7 +353,7 @@ class Batch {
     }
   }
 
-  /// The results of a step besides the observation.
+  /// The results of a step, except the observation.
   template <class AnyProgram>
   [[gnu::always_inline]] inline EpisodeEnds write_step(std::uint32_t k, AnyProgram& program,
                                                        Step& step) {

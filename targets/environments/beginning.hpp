@@ -10,8 +10,8 @@
 
 namespace eagerx::environments {
 
-/// The rows of a step, and the environments of which an episode begins at its end. These wait for
-/// each other, because what they begin with is sampled for several at once.
+/// The rows of a step, and the environments that begin an episode at its end. These are collected,
+/// because initial states are sampled for several at once.
 struct Step {
   static constexpr std::uint32_t kMost = 16;
 
@@ -22,7 +22,7 @@ struct Step {
   std::array<std::uint32_t, kMost> environments;  // the first `waiting`; not zeroed
 };
 
-/// sample() of the graph for several episodes at once, where environments run vectorized.
+/// sample() of the graph for several episodes at once, if environments run vectorized.
 template <class Graph>
 class Sampler {
  public:

@@ -14,7 +14,7 @@
 
 namespace eagerx::environments {
 
-/// Whether the critic of a training sees anything besides the observations.
+/// Whether the critic of a training has inputs other than the observations.
 template <class Graph>
 inline constexpr bool has_critic = seen_of<Graph> > 0 || requires {
   Graph::kCriticStates;
@@ -60,7 +60,7 @@ class CriticLayout {
     for (std::size_t i = 0; i < seen_.size(); ++i)
       row[seen_[i]] = column.end(kTerms + terms_of<Graph> + i);
   }
-  /// 0 for what is not sampled.
+  /// 0 for states that are not sampled.
   void write_states(const States& states, float* row) const {
     std::size_t field = messages_;
     for_each_state([&](const char*, auto member, const auto& space) {
@@ -131,7 +131,7 @@ class CriticRows {
   void step([[maybe_unused]] std::uint32_t k, [[maybe_unused]] const SimdColumn& column) {
     if constexpr (seen_of < Graph >> 0) CriticLayout<Graph>::get().write_seen(column, row(k));
   }
-  /// The episode is over, and the next one begins at once.
+  /// Ends the episode; the next one begins immediately.
   void end(std::uint32_t k) {
     std::copy_n(rows_.data() + k * numbers(), numbers(), final_.data() + k * numbers());
   }

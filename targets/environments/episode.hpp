@@ -1,4 +1,4 @@
-// Where an environment of a batch is.
+// State of an environment in a batch.
 #pragma once
 
 #include <cstdint>

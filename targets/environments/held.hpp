@@ -1,4 +1,4 @@
-// The environments that a batch holds: the episode of each, and the program or lane that it is in.
+// The environments of a batch: the episode of each, and the program or lane that runs it.
 #pragma once
 
 #include <targets/environments/eagerx_environments.h>
@@ -20,8 +20,8 @@
 
 namespace eagerx::environments {
 
-/// A vectorized environment lives in its lane, one that is traced in the program of its trace,
-/// and any other in a program of its own.
+/// A vectorized environment runs in its lane, a traced one in the program of its trace, and any
+/// other in its own program.
 template <class Graph>
 struct Held {
   using Program = typename Graph::template Program<NoHooks>;
@@ -116,7 +116,7 @@ struct Held {
     if (was_vectorized) put_in(k);
   }
 
-  /// Null: ends the file. Empty: only the hash. What cannot be written leaves the old trace.
+  /// Null: ends the file. Empty: only the hash. If the file cannot be written, the old trace stays.
   void trace(std::uint32_t k, const char* path) {
     Traces<Graph>& kept = traces[k];
     if (path == nullptr) {
@@ -141,7 +141,7 @@ struct Held {
     }
   }
 
-  /// add(name, count) for what guards and nodes of each environment have counted.
+  /// Calls add(name, count) for each count of guards and nodes of each environment.
   template <class F>
   void for_each_fault(F&& add) const {
     for (std::uint32_t k = 0; k < size; ++k) {

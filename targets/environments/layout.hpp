@@ -30,13 +30,13 @@ constexpr std::uint32_t messages_of() {
   }
 }
 
-/// A number of a row as what a message holds.
+/// Converts a number of a row to an element of a message.
 template <class T>
 T from_row(float x) {
   return target::from_number<T>(x);
 }
 
-/// A number of a row of states as what a state holds.
+/// Converts a number of a row of states to an element of a state.
 template <class T>
 T state_from_row(float x) {
   if constexpr (std::is_same_v<T, double>) return host::same_decimal(x);
@@ -95,7 +95,8 @@ class Layout {
     return result;
   }
 
-  /// With window 0 there may be fewer messages than columns: NaN behind them, 0 for whole numbers.
+  /// With window 0 there may be fewer messages than columns: the rest is NaN, or 0 for whole
+  /// numbers.
   void write(const Observation& observation, float* row) const {
     std::size_t field = 0;
     Graph::for_each_observation(observation, [&](const char*, const auto& window, const auto&) {
@@ -113,7 +114,7 @@ class Layout {
     });
   }
 
-  /// NaN for what is empty.
+  /// NaN for empty states.
   template <class Number>
   void write(const States& from, Number* row) const {
     std::size_t field = 0;

@@ -1,4 +1,4 @@
-# What libraries of environments have in common whatever the graph, built once for all of a build tree, or of the machine
+# Code that libraries of environments of all graphs share, built once per build tree or machine
 # (runtime/host/compiled_library.cmake).
 function(eagerx_environments_libraries)
   set(here ${CMAKE_CURRENT_FUNCTION_LIST_DIR})

@@ -1,5 +1,5 @@
-// Functions of eagerx_environments.h for any generated graph: they check what they are
-// given, and nothing that is thrown leaves them.
+// Functions of eagerx_environments.h for any generated graph: they check their arguments, and no
+// exception leaves them.
 #pragma once
 
 #include <targets/environments/eagerx_environments.h>

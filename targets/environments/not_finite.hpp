@@ -1,4 +1,5 @@
-// Rewards that are not numbers: counted, and the first of a step named. Steps of several threads.
+// Counts rewards that are not finite, and names the first of a step. Steps may run in several
+// threads.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Environments whose pictures are wanted: what `render:` of the graph showed last is kept, and
-// painted when somebody asks for it.
+// Pictures of environments: keeps the last scene of the graph's `render:`, and paints it on
+// request.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ using target::has_render;
 using target::kWidestPicture;
 using target::LastShown;
 
-/// The programs of a batch that draws; for a graph without `render:` there are none.
+/// The programs of a batch that draws; none for a graph without `render:`.
 template <class Graph>
 class DrawnPrograms {
  public:

@@ -1,4 +1,4 @@
-// How the environments of a batch begin an episode: what it begins with, and where it is stepped.
+// Begins episodes in a batch: their initial states, and the program or lane that steps them.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace eagerx::environments {
 
-/// The environments are those of a batch, given with each call.
+/// Each call passes the environments of the batch.
 template <class Graph>
 class Resets {
  public:
@@ -25,8 +25,8 @@ class Resets {
   Resets(const SimdKernel<Graph>& kernel, std::uint32_t environments)
       : staging(environments), sampler_(kernel) {}
 
-  /// Environment `k` begins an episode before the step is over: now, if as many wait as can sample
-  /// together.
+  /// Environment `k` begins an episode before the end of the step: now, if enough are waiting to
+  /// sample together.
   void begin_later(Held<Graph>& held, std::uint32_t k, Step& step) {
     step.environments[step.waiting++] = k;
     if (step.waiting == sampler_.most()) begin_all(held, step);

@@ -1,4 +1,4 @@
-// The graph's policy, vectorized over rows, where it looks at nothing but the last observation.
+// The graph's policy, vectorized over rows, if it depends on the last observation only.
 #pragma once
 
 #include <cstddef>
@@ -52,7 +52,7 @@ class SimdAgent {
       column += kernel_.lanes;
     }
   }
-  /// The actions [lanes] to what was seen.
+  /// The actions [lanes] for the last observations.
   const Action* act(unsigned member) {
     Action* const actions = actions_.data() + std::size_t{member} * kernel_.lanes;
     kernel_.act(columns(member), actions);

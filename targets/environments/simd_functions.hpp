@@ -1,4 +1,4 @@
-// The functions of SimdKernel, for the instruction set that this is compiled for.
+// The functions of SimdKernel, for the instruction set of this compilation.
 #pragma once
 
 #include <bit>
@@ -103,7 +103,8 @@ class SimdFunctions {
     });
     return lane_bits(!applicable);
   }
-  /// f(what action `field` must be in), the action of plain numbers as that of the SIMD group.
+  /// Calls f(bounds of action `field`), and converts the action of plain numbers to that of the
+  /// SIMD group.
   template <class Message, class F>
   static void with_space(std::size_t field, const Message& /*message*/, F&& f) {
     typename Kernel::Action one{};
@@ -118,7 +119,7 @@ class SimdFunctions {
       ++at;
     });
   }
-  /// Conservative, and exact for floats: whole numbers are cut behind it.
+  /// Conservative, and exact for floats: whole numbers are truncated afterwards.
   template <class Number>
   static Truth is_within(const Real& x, Number low, Number high) {
     if constexpr (std::is_same_v<Number, bool>) {
@@ -243,7 +244,7 @@ class SimdFunctions {
     });
     if constexpr (kWatches) put(finite, ends + kFinite * Lanes);
   }
-  /// Whether the messages that are there are finite. What is not there is NaN, or 0.
+  /// Whether the existing messages are finite. Missing ones are NaN, or 0.
   template <class Window>
   static Truth write(const Window& window, float*& columns, bool all, const float**& place) {
     using Message = typename Window::value_type;

@@ -32,9 +32,9 @@ struct ActionRows {
   const std::size_t* places = nullptr;  // in it, of the first number of each action of the graph
 };
 
-/// The functions of SIMD groups for one instruction set. Nothing but plain numbers and objects of
-/// the program for one environment passes through them, so that the rest of the library knows no
-/// vectors. Without lanes there are none.
+/// The functions of SIMD groups for one instruction set. Only plain numbers and objects of the
+/// program for one environment pass through them, so that the rest of the library does not use
+/// vectors. All are null without lanes.
 template <class Graph>
 struct SimdKernel {
   using Program = typename Graph::template Program<NoHooks>;
@@ -63,15 +63,15 @@ struct SimdKernel {
   void (*go_to)(void* group, const Program& one) = nullptr;
   void (*load)(void* group, std::uint32_t lane, const Program& one) = nullptr;
   void (*store)(const void* group, std::uint32_t lane, Program& one) = nullptr;
-  /// As store(), reset() of `one` and load(), but nothing that the reset does not need. Null if one
-  /// of these may depend on more: reset nodes, several phases.
+  /// Like store(), reset() of `one` and load(), but only for the data that the reset needs. Null if
+  /// these may depend on more: reset nodes, several phases.
   typename Graph::Observation (*restart)(void* group, std::uint32_t lane, Program& one,
                                          const States& states) = nullptr;
   /// As the graph's sample() for each of `count` keys, at most `most_samples`.
   void (*sample)(const EpisodeKey* keys, std::size_t count, States* states) = nullptr;
   std::uint32_t most_samples = 0;
-  /// Fills `actions` of a SIMD group. The lanes, a bit each, whose action must go through the
-  /// guard, which has not been done: put() takes what comes out. Null if all must.
+  /// Fills `actions` of a SIMD group. Returns the lanes, a bit each, whose action must still pass
+  /// through the guard: pass the result to put(). Null if all must.
   std::uint64_t (*take)(const ActionRows& rows, void* actions) = nullptr;
   void (*put)(void* actions, std::uint32_t lane, const Action& action) = nullptr;
   /// `actions` have gone through the guards. Columns: observations in the graph's order, unless
@@ -84,7 +84,7 @@ struct SimdKernel {
   void (*act)(const float* columns, Action* actions) = nullptr;
 };
 
-/// Columns behind the observations: truth values are 0 or 1.
+/// Columns after the observations: booleans are 0 or 1.
 enum SimdColumns : std::size_t {
   kFinite,  // whether the observation is
   kReward,

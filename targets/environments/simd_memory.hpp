@@ -1,4 +1,4 @@
-// The SIMD groups of a batch, where environments run vectorized.
+// The SIMD groups of a batch whose environments run vectorized.
 #pragma once
 
 #include <algorithm>
@@ -104,8 +104,8 @@ class SimdMemory {
   /// The lanes of `k`'s range that hold an environment, a bit each.
   std::uint64_t vectorized(std::uint32_t k) const { return vectorized_[range_of(k)]; }
 
-  /// Takes the actions of `member`'s next step, of the range of environments from `first` on. The
-  /// lanes whose action must still go through the guard: put() takes what comes out.
+  /// Takes the actions of `member`'s next step, of the range of environments from `first` on.
+  /// Returns the lanes whose action must still pass through the guard: pass the result to put().
   std::uint64_t take(unsigned member, std::uint32_t first, std::uint32_t environments,
                      const float* rows) {
     if (kernel_.take == nullptr || environments != lanes()) return ~std::uint64_t{0};

@@ -1,4 +1,4 @@
-// Which SIMD groups this processor runs.
+// SIMD groups that this processor can run.
 #pragma once
 
 #include <cstdint>

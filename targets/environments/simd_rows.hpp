@@ -1,4 +1,5 @@
-// Numbers of a SIMD group, which lie side by side for all lanes, as the rows of its environments.
+// Converts between the numbers of a SIMD group, stored side by side for all lanes, and the rows of
+// its environments.
 #pragma once
 
 #include <cstddef>
@@ -120,7 +121,7 @@ class RowWriter {
     (std::make_index_sequence<kWidth>{});
   }
 
-  /// f(row, where its four numbers are), from the first row to the last.
+  /// Calls f(row, pointer to its four numbers), from the first row to the last.
   template <class F>
   [[gnu::always_inline]] static void each_row(const Vector (&rows)[4], F&& f) {
     detail::unrolled<kBlocks>([&](auto block) {

@@ -29,7 +29,7 @@ constexpr std::size_t count_stages() {
   }
 }
 
-/// In which stage each environment is. Nothing is allocated without stages.
+/// The stage of each environment. Allocates nothing without stages.
 template <class Graph>
 class Staging {
  public:
@@ -38,7 +38,8 @@ class Staging {
   explicit Staging(std::uint32_t environments)
       : now_(kStages > 0 ? environments : 0, kAsWritten), next_(now_) {}
 
-  /// From the next episode on. Throws Problem, with nothing changed, if there is none of this name.
+  /// Sets the stage from the next episode on. Throws Problem, and changes nothing, if the name is
+  /// unknown.
   void set(const std::uint8_t* mask, std::string_view name) {
     const std::uint32_t stage = number_of(name);
     for (std::size_t k = 0; k < next_.size(); ++k) {

@@ -1,4 +1,4 @@
-// The task of a graph, where it has one: reward and end of an episode.
+// The task of a graph, if it has one: reward and end of an episode.
 #pragma once
 
 #include <targets/environments/eagerx_environments.h>
@@ -48,8 +48,7 @@ constexpr std::size_t count_seen() {
 /// Numbers of the messages that the critic of a training sees.
 template <class Graph>
 inline constexpr std::size_t seen_of = count_seen<Graph>();
-/// The column of a SIMD group, behind the observations, that says whether the first of them is
-/// finite.
+/// The column of a SIMD group, after the observations, for whether the first result is finite.
 template <class Graph>
 inline constexpr std::size_t reported_at = kTerms + terms_of<Graph> + seen_of<Graph>;
 

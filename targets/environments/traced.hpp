@@ -70,7 +70,7 @@ class Traced {
     if (!has_begun()) file_.discard();
   }
 
-  /// Whether its messages go to the file `path`, by whatever name.
+  /// Whether its messages go to the file `path`, by any name.
   bool writes_to(const std::string& path) const { return file_.is(path); }
 
   typename Graph::Observation reset(EpisodeKey key, const typename Graph::States& states) {

@@ -1,8 +1,8 @@
 // The derivatives of a program between two instants at which all of its rates are due, as JSON.
 //
-// Every number that the program remembers is a state, whatever node, window, delay or filter it
-// belongs to; runs with a derivative of 1 in one of them after the other give the columns of A.
-// Integers (counters, cursors, seeds of noise) have no derivative and run as they always do.
+// Every number that the program remembers is a state, in nodes, windows, delays and filters alike.
+// Runs with a derivative of 1 in one state at a time give the columns of A. Integers (counters,
+// cursors, seeds of noise) have no derivative and run as usual.
 #pragma once
 
 #include <algorithm>
@@ -111,15 +111,15 @@ class Linearization {
     print_step_response(*program_, request_.step, *request_.open, request_.element, step);
     return true;
   }
-  /// What happens from each tick of a node to the next.
+  /// Prints the system from each tick of a node to the next.
   bool print_node() {
     const auto step = [this](Program& program) { program.step(action({}, 0)); };
     return NodeSystem(request_.node, *program_, words_, step)
         .print(Graph::Rate::period_s * Program::kPhases);
   }
 
-  /// One hyperperiod with these derivatives, from where the program is; the program as it is then.
-  /// `seeds`: of the messages, by derivative; `words`: of the state.
+  /// Runs one hyperperiod with these derivatives from the program's current state; returns the
+  /// program after it. `seeds`: of the messages, by derivative; `words`: of the state.
   std::unique_ptr<Program> go(const std::vector<const Seed*>& seeds,
                               const std::vector<const Word*>& words) {
     auto copy = std::make_unique<Program>(*program_);
@@ -143,7 +143,8 @@ class Linearization {
     return copy;
   }
 
-  /// What readers of actions get is not what the trace sees, but a copy of it.
+  /// An action with its seeds. Readers of actions get a copy of the message that the trace sees, so
+  /// probes cannot add derivatives there.
   Action action(const std::vector<const Seed*>& seeds, std::size_t message) const {
     Action result{};
     std::uint32_t channel = 0;
@@ -197,7 +198,7 @@ class Linearization {
     });
   }
 
-  /// The columns that runs give, kSeeds at a time.
+  /// Fills the columns from runs, kSeeds at a time.
   void fill_state(Matrix& a, Matrix& c) {
     a.assign(words_.size(), std::vector<double>(words_.size()));
     c.assign(outputs_.size(), std::vector<double>(words_.size()));

@@ -18,16 +18,16 @@
 
 namespace eagerx::linearize {
 
-/// What to look at: channels by their numbers in the graph.
+/// Request for the system of a node, with channels by their numbers in the graph.
 struct NodeRequest {
   std::string node;                  // its name; empty: no node
   std::optional<std::uint32_t> cut;  // the channel that is the input of the system
   std::vector<std::uint32_t> seen;   // further outputs
 };
 
-/// For each tick i of a hyperperiod, with x the state at it, u the message of the channel that is
-/// cut, s what the node receives and y the messages of further channels until the next tick:
-/// x[i+1] = A·x[i] + B·u[i], s[i] = C·x[i], y[i] = E·x[i] + F·u[i].
+/// For each tick i of a hyperperiod, with x the state at it, u the message of the cut channel, s
+/// the node's inputs and y the messages of further channels until the next tick: x[i+1] = A·x[i] +
+/// B·u[i], s[i] = C·x[i], y[i] = E·x[i] + F·u[i].
 template <class Program, class Step>
 class NodeSystem {
  public:

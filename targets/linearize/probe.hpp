@@ -1,4 +1,4 @@
-// What looks at the messages of a program that is linearized, and moves them.
+// Observes and changes the messages of a program that is linearized.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ struct Seed {
   std::size_t message = kEach;  // which one of the run, or each
 };
 
-/// A value of an element of all messages of a channel, whatever is sent.
+/// A fixed value for an element of all messages of a channel.
 struct Held {
   std::uint32_t channel = 0;
   std::size_t element = 0;
@@ -100,7 +100,7 @@ struct Probe {
   }
 
  private:
-  /// What readers get of element `i` of a channel that is held.
+  /// Replaces element `i` of a held channel for its readers.
   template <class Scalar>
   void hold(std::uint32_t channel, std::size_t i, Scalar& x) const {
     if (held == nullptr) return;

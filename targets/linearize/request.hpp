@@ -1,4 +1,4 @@
-// What the command line of a program that is linearized says.
+// The command line of a program that is linearized.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 
 namespace eagerx::linearize {
 
-/// What the command line says: channels by their numbers in the graph.
+/// The parsed command line, with channels by their numbers in the graph.
 struct Request {
   std::uint64_t steps = 0, seed = 0;
   std::vector<std::string> at;  // NAME=VALUE,…

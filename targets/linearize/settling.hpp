@@ -1,4 +1,4 @@
-// The steady state of numbers that depend on nothing but themselves, such as a filter's covariance.
+// The steady state of numbers that depend only on themselves, such as a filter's covariance.
 #pragma once
 
 #include <algorithm>
@@ -126,7 +126,7 @@ class Settling {
     }
     return true;
   }
-  /// The largest, of what each number was at most.
+  /// The largest change, relative to the maximum of each number.
   double change(const Numbers& x, const Numbers& next) {
     double most = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {

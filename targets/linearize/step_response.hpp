@@ -1,4 +1,4 @@
-// What a program sends at a port after a step is added there, and without it.
+// Step response at a port: the program's messages with an added step and without it.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct StepRequest {
   double size = 0.0;
 };
 
-/// Adds it to what readers get, and keeps what is sent.
+/// Adds the step for readers, and records the sent messages.
 struct AddedStep {
   std::uint32_t channel = 0;
   std::size_t element = 0;

@@ -1,4 +1,4 @@
-// What happens from one tick of a node to the next, with what one channel carries as the input.
+// Records a node from one tick to the next, with the messages of one channel as the input.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ struct NodeInput {
   std::size_t elements = 0;
 };
 
-/// One run, from tick `begin_tick` of a node to its next one. Readers of channel `cut` get what is
-/// sent without derivatives; of its first message in between an element has one.
+/// One run, from tick `begin_tick` of a node to its next one. Readers of channel `cut` receive its
+/// messages without derivatives, except that an element of the first message in between has one.
 struct NodeTicks {
   using Derivatives = std::array<double, kSeeds>;
   static constexpr std::size_t kNever = ~std::size_t{0} / 2;

@@ -28,7 +28,7 @@ Number& at(Program& program, const Word& word) {
   std::ptrdiff_t offset = word.offset;
   if (word.clock >= 0) {
     const Seq sent = *reinterpret_cast<const Seq*>(base + word.clock);
-    // Before `capacity` messages were sent, these places hold what was there at the beginning.
+    // Before `capacity` messages were sent, these places have their initial contents.
     const Seq place = (sent + word.capacity * word.age - 1 - word.age) % word.capacity;
     offset += static_cast<std::ptrdiff_t>(place) * word.stride;
   }

@@ -1,5 +1,5 @@
-// The program of a graph on target linux-sim: the loop over its steps, and what knows its types.
-// All else that a program does is in the library behind graph_program.hpp, compiled once.
+// The program of a graph on target linux-sim: the loop over its steps, and code that depends on its
+// types. Everything else is in the library behind graph_program.hpp, compiled once.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@
 #include <targets/linux-sim/watch.hpp>
 #include <utility>
 
-// Called around the stepping of all episodes, if somebody defines them: tests link a guard that
-// forbids allocations in between, benchmarks a counter.
+// Called before and after all episodes, if defined: tests link a guard that forbids allocations in
+// between, benchmarks a counter.
 extern "C" {
 [[gnu::weak]] void eagerx_run_begins();
 [[gnu::weak]] void eagerx_run_ends();
@@ -46,7 +46,7 @@ class LinkOf {
   static void make_safe(Program& /*program*/) {}
 };
 
-/// Tells the library's watch what run_episodes() says.
+/// Passes the events of run_episodes() to the library's watch.
 template <class Graph>
 class GraphWatch : public target::Watch<Graph> {
  public:
@@ -94,7 +94,7 @@ class GraphWatch : public target::Watch<Graph> {
     watch_.step(step, target::has_ended(outcome), view_of_outcome(outcome));
   }
 
-  /// The agent's action, with the faults of what it sees and gives. Parameters are set before it.
+  /// The agent's action, with faults of its inputs and outputs. Parameters are set before it.
   template <class Program>
   Action action(EpisodeKey key, Seq step, const Observation& observation, Program& program) {
     if constexpr (requires { Graph::kTunable; }) {
@@ -163,7 +163,7 @@ host::Supervisor::TakeOver how_to_take_over(const Program& program) {
   return nullptr;
 }
 
-/// A run from its first reset to its last step, and behind that until everything is safe.
+/// A run from its first reset to its last step, and then until everything is safe.
 template <class Graph, class Program>
 void run_program(Watch& watch, LinkOf<Graph>& link, Program& program) {
   GraphWatch<Graph> seen(watch, link);
@@ -197,7 +197,8 @@ void run_program(Watch& watch, LinkOf<Graph>& link, Program& program) {
   target::stop(program);
 }
 
-/// Both programs of a graph. All-zero until their first reset, so they take no room in a file.
+/// Both programs of a graph. All zero until their first reset, so they take no space in the
+/// executable.
 template <class Graph>
 struct Programs {
   template <class Hooks>

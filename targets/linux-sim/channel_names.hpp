@@ -16,8 +16,8 @@ std::vector<std::string> ports_of(const Channel& channel);
 std::vector<std::string> aliases_of(const GraphFacts& facts, std::size_t channel);
 
 /// Writes the names in `--replay-given`, `--identify-sensors` and `--publish-only` as traces spell
-/// them: `robot.gyro` is `robot/gyro/y`. A note tells of each. A problem is a name that no channel
-/// has, or several; empty: none.
+/// them: `robot.gyro` is `robot/gyro/y`. Prints a note for each. Returns the problem of an unknown
+/// or ambiguous name; empty: none.
 std::string name_channels(Options& options, const GraphFacts& facts);
 
 }  // namespace eagerx::linux_sim

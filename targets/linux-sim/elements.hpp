@@ -1,4 +1,4 @@
-// The elements of a message whose type is known only when the program runs.
+// Elements of a message whose type is known only at run time.
 #pragma once
 
 #include <cstddef>
@@ -50,7 +50,7 @@ decltype(auto) with_elements(Scalar scalar, const void* data, F&& f) {
   });
 }
 
-/// Element `i` as a double, rounded where it has more digits.
+/// Element `i` as a double, rounded if it has more digits.
 inline double number_of(Scalar scalar, const void* data, std::size_t i) {
   return with_elements(scalar, data,
                        [&](const auto* elements) { return static_cast<double>(elements[i]); });

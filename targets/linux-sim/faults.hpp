@@ -1,4 +1,4 @@
-// --fault: what the agent sees and gives, with faults.
+// --fault: injects faults into the agent's observations and actions.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace eagerx::linux_sim {
 
-/// Faults between a graph and its agent. The messages of the graph stay as they are.
+/// Faults between a graph and its agent. They do not change the messages of the graph.
 class AgentFaults {
  public:
   explicit AgentFaults(const Fields& fields);

@@ -1,4 +1,4 @@
-// Files of a program: descriptors that are there, files that are different.
+// Files of a program: checks that descriptors are open, and that files differ.
 #pragma once
 
 #include <cstdio>
@@ -10,9 +10,9 @@ namespace eagerx::linux_sim {
 
 using host::open_standard_files;
 
-/// Looks for outputs that are an input, another output or where the summary goes, by any name, link
-/// or descriptor, and for those that are not files (/dev/null may be one). Returns what is wrong;
-/// empty: nothing. Opens nothing.
+/// Finds outputs that are an input, another output or the destination of the summary, by any name,
+/// link or descriptor, and those that are not files (/dev/null is allowed). Returns the problem, or
+/// an empty text. Opens nothing.
 std::string problem_with_files(const Options& options);
 
 /// Writes `text` to `out`, all of it; says why if that is not possible, and returns false.

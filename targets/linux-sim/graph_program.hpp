@@ -1,7 +1,7 @@
 // The seam between a graph's program and the library that is compiled once for all graphs: the
-// library's view of a graph, and what it calls. The program's own text (app.hpp) has the loop over
-// steps and all that knows the graph's types; whatever is done with files, options, clocks,
-// terminals and texts is the library's.
+// library's view of a graph, and what it calls. The program's own code (app.hpp) has the loop over
+// steps and everything that depends on the graph's types; the library handles files, options,
+// clocks, terminals and text.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ class Pictures;
 class SplitLink;
 class Watch;
 
-/// The constants of a graph. Texts and tables live as long as the program.
+/// The constants of a graph. Texts and tables are valid as long as the program.
 struct GraphFacts {
   const char* name;
   const char* engine;
@@ -77,7 +77,7 @@ struct Field {
   bool varies = false;     // there can be fewer
 };
 
-/// Hears what a graph has, each kind in the graph's own order.
+/// Receives the fields of a graph, each kind in the graph's order.
 class FieldListener {
  public:
   virtual void action(const Field& field) = 0;
@@ -85,19 +85,19 @@ class FieldListener {
   virtual void state(const Field& field) = 0;
   /// A state that is sampled from the range of its space.
   virtual void range(const Field& field) = 0;
-  /// A number of what a step was worth: the reward, flags, then the terms of the reward.
+  /// A result of a step: the reward, flags, then the terms of the reward.
   virtual void outcome(const char* name, bool is_flag) = 0;
 
  protected:
   ~FieldListener() = default;
 };
 
-/// All states, each in a place of its own; those without a value stay as they are.
+/// All states, each in its place; those without a value are unchanged.
 struct StateRow {
   void* const* messages;  // [states]
   bool* has_value;        // [states]
 };
-/// All messages of all observations, each observation in a place of its own.
+/// All messages of all observations, each observation in its place.
 struct ObservationRow {
   void* const* messages;  // [observations] oldest first, room for Field::most
   std::uint32_t* sizes;   // [observations] how many there are
@@ -129,12 +129,12 @@ class GraphProgram {
 
   virtual const GraphFacts& facts() const = 0;
   virtual void list_fields(FieldListener& listener) const = 0;
-  /// Whether the policy answers as it did where it was generated.
+  /// Whether the policy gives the same answers as in the generator.
   virtual bool policies_answer() const = 0;
   /// Whether the program's text was compiled with flags that keep its bits.
   virtual bool rounds_each_operation() const = 0;
   virtual bool is_real() const = 0;
-  /// Null: nothing is shown.
+  /// Null if nothing is shown.
   virtual Pictures* pictures() const = 0;
   /// To part `part` of GraphFacts::parts. Null: there are fewer.
   virtual SplitLink* link(std::size_t part) = 0;
@@ -148,12 +148,12 @@ class GraphProgram {
   virtual void zero(void* action) const = 0;
   virtual void sample(EpisodeKey key, StateRow states) const = 0;
   virtual void warm_up() = 0;
-  /// Begins episode `episode` with what is in `states`.
+  /// Begins episode `episode` with the values in `states`.
   virtual void reset(std::uint32_t episode, StateRow states) = 0;
   /// The request of an agent that is not a file, after the observation that the last call led to.
   virtual void act(target::Agent agent, EpisodeKey key, Seq step, void* action) = 0;
   virtual void guard(void* action) = 0;
-  /// Sets what `states` has, between two steps. Only what is Field::tunable.
+  /// Sets the values in `states` between two steps. Only for fields with Field::tunable.
   virtual void tune(StateRow states) = 0;
   /// One step with an action that the guard has seen, or that is repeated from a log.
   virtual void apply(void* action) = 0;

@@ -1,4 +1,4 @@
-// The hooks of programs: what happens to a message besides being sent.
+// The hooks of programs: handle messages in addition to sending them.
 #pragma once
 
 #include <cstdint>

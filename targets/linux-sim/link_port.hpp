@@ -11,8 +11,8 @@
 
 namespace eagerx::linux_sim {
 
-/// Reads and writes without allocating. A closed line stays closed. TCP beyond this machine needs a
-/// key; with one, what goes over TCP is sealed, and a peer without the key is dropped.
+/// Reads and writes without allocation. A closed line stays closed. TCP beyond this machine needs a
+/// key; with a key, TCP traffic is sealed, and a peer without the key is dropped.
 class LinkPort {
  public:
   LinkPort() = default;
@@ -22,14 +22,13 @@ class LinkPort {
 
   /// Before open() or listen(). Serial lines and unix sockets do without.
   void use_key(const KeyInUse& key) { key_ = key; }
-  /// `unix:PATH`, `HOST:PORT`, or the path of a serial line or a socket. A serial line is ours
-  /// alone as long as it is open. A line that was open is closed before. False: error() says why.
+  /// `unix:PATH`, `HOST:PORT`, or the path of a serial line or a socket. A serial line is opened
+  /// exclusively. An open line is closed first. False: see error().
   bool open(const std::string& address, std::uint32_t baud);
-  /// The other side of a socket: waits for one peer, which has kGreetingS to say something. While
-  /// it is connected others are refused. With a key, peers without it are dropped.
-  /// `:PORT` listens on this machine only. A socket that another
-  /// program listens on is left alone. `say(text)` receives where it listens, and which peers say
-  /// nothing.
+  /// The listening side of a socket: waits for one peer, which must send something within
+  /// kGreetingS. While it is connected, others are refused. With a key, peers without it are
+  /// dropped. `:PORT` listens on this machine only. Leaves a socket of another listening program
+  /// alone. Calls `say(text)` with the address, and for silent peers.
   bool listen(const std::string& address, void (*say)(const std::string& text));
   /// For listen(): a peer that is gone without a word, as when its cable is cut, is gone after
   /// kCutS; and no wait is longer than `most_wait_ns`.
@@ -38,10 +37,10 @@ class LinkPort {
     most_wait_ns_ = most_wait_ns;
   }
   void close();
-  /// Empty as long as the line is whole.
+  /// Empty while the line works.
   const std::string& error() const { return error_; }
 
-  /// Whether it was closed because what came over a sealed line was not what the other end sent.
+  /// Whether it was closed because bytes on a sealed line were not those of the other end.
   bool is_forged() const { return is_forged_; }
 
   void put(std::uint8_t byte);
@@ -54,7 +53,7 @@ class LinkPort {
   int get() { return get(UINT64_MAX); }
   /// CLOCK_MONOTONIC.
   static std::uint64_t now_ns();
-  /// Whether the run must end; a program that is to stop (Ctrl-Z) does so in here.
+  /// Whether the run must end. A program that must pause (Ctrl-Z) does so in this function.
   static bool is_interrupted();
 
   static constexpr int kGreetingS = 5;

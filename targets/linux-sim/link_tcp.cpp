@@ -127,7 +127,7 @@ class Door {
   /// False: nothing can be accepted any more.
   bool let_in() {
     const int file = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
-    // What is wrong with a connection is nothing that is wrong with the listener (accept(2)).
+    // An error of a connection is not an error of the listener (accept(2)).
     if (file < 0) return errno != EBADF && errno != EINVAL && errno != ENOTSOCK && errno != EMFILE;
     const auto oldest = std::ranges::min_element(
         unknown_, {}, [](const Unknown& each) { return each.file < 0 ? 0 : each.until_ns; });

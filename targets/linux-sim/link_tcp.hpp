@@ -1,5 +1,4 @@
-// TCP lines between the programs of a split graph: which peers may speak, and how long a wait
-// lasts.
+// TCP lines between the programs of a split graph: accepted peers, and timeouts.
 #pragma once
 
 #include <sys/socket.h>
@@ -30,7 +29,7 @@ inline constexpr const char* kNeedsKey =
 /// Connects the non-blocking socket `file` until `until_ns` of CLOCK_MONOTONIC. Returns errno.
 int connect_until(int file, const sockaddr* address, socklen_t size, std::uint64_t until_ns);
 
-/// The greeting of who connects. Empty, and `records` is open; or what is wrong.
+/// The greeting of the connecting side. Empty, and `records` is open; or the problem.
 std::string greet(int file, const KeyInUse& key, std::uint64_t until_ns, key::Records& records);
 
 /// Waits until `until_ns` for a peer that has the key; others are dropped, and have no longer than

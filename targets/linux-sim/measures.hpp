@@ -1,4 +1,4 @@
-// --until, --measure, --summary: when an episode ends, and what is reported of all of them.
+// --until, --measure, --summary: the end of an episode, and measures of all episodes.
 #pragma once
 
 #include <array>
@@ -53,7 +53,7 @@ class Statistic {
   std::uint64_t least_episode_ = 0, most_episode_ = 0;
 };
 
-/// The expressions of a run, and what they have said so far. Nothing allocates after prepare().
+/// The expressions of a run, and their results so far. Nothing allocates after prepare().
 class Measures {
  public:
   static constexpr std::size_t kMostVariables = 64;
@@ -65,7 +65,7 @@ class Measures {
   bool is_used() const { return has_until_ || !quantities_.empty() || summary_; }
   bool reads_messages() const { return reads_messages_; }
 
-  /// Puts the value of what a variable stands for in its place.
+  /// Stores the value of a variable.
   void set(Variable::Kind kind, std::uint32_t number, std::size_t element, double value) {
     for (std::size_t i = 0; i < variables_used_; ++i) {
       if (variables_[i] == Variable{kind, number, element}) values_[i] = value;

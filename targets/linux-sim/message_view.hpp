@@ -1,4 +1,4 @@
-// Messages without their types: what the library of linux-sim knows of a graph.
+// Messages without their types, as the library of linux-sim sees them.
 #pragma once
 
 #include <cstddef>
@@ -48,7 +48,7 @@ struct TypeOf<Array<T, Shape...>> {
                                      kShape, sizeof...(Shape)};
 };
 
-/// The elements of a message, which is somebody else's.
+/// A view of the elements of a message, which it does not own.
 struct MessageView {
   void* data;
   Scalar scalar;

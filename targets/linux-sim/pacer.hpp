@@ -32,13 +32,13 @@ class PacerOn {
   bool paces() const { return period_ns_ > 0.0; }
   /// Whether a step takes so long that nothing should wait for the next one.
   bool is_slow() const { return period_ns_ > kNsPerSecond / 4; }
-  /// An episode begins: its reset took as long as it took.
+  /// Begins an episode; the duration of its reset does not count.
   void start() {
     start_ns_ = due_ns_ = Clock::now_ns();
     late_in_a_row_ = 0;
   }
-  /// Sleeps until the deadline of step `n` of the episode (from 1). A step that ends after it is an
-  /// overrun, and the next one starts at once. Returns early on a signal.
+  /// Sleeps until the deadline of step `n` of the episode (from 1). A step that ends later is an
+  /// overrun, and the next one starts immediately. Returns early on a signal.
   void wait_for(std::uint64_t n) {
     // A double holds whole nanoseconds for 104 days.
     due_ns_ = start_ns_ + static_cast<std::int64_t>(static_cast<double>(n) * period_ns_);
@@ -50,7 +50,7 @@ class PacerOn {
       Clock::sleep_until(due_ns_);
       now = Clock::now_ns();
     }
-    // After the sleep, in which the program may have been stopped for as long as somebody likes.
+    // Checked after the sleep, during which the program may have been stopped.
     late_in_a_row_ = now - due_ns_ > max_lateness_ns_ ? late_in_a_row_ + 1 : 0;
   }
 
@@ -84,7 +84,7 @@ class PacerOn {
     return paces() ? due_ns_ + std::max(static_cast<std::int64_t>(period_ns_), max_lateness_ns_)
                    : 0;
   }
-  /// How far behind its deadline the latest step ended, in seconds.
+  /// The largest lateness of the end of a step, in seconds.
   double worst_s() const { return static_cast<double>(worst_ns_) / kNsPerSecond; }
 
  private:

@@ -40,7 +40,7 @@ inline PartArguments read_part_arguments(int argc, char** argv) {
   return found;
 }
 
-/// Opens the line anew. False: it is said why.
+/// Reopens the line. False: reports the reason.
 inline bool open_line(LinkPort& port, const PartArguments& arguments, bool is_again) {
   const std::string line(arguments.line);
   if (!arguments.key_file.empty()) {

@@ -1,4 +1,4 @@
-// A line on the terminal for runs that take their time.
+// A progress line on the terminal for long runs.
 #pragma once
 
 #include <cstdint>

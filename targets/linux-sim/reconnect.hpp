@@ -1,4 +1,4 @@
-// A hub that waits for parts that are lost: `--reconnect`.
+// A hub that waits for lost parts: `--reconnect`.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,20 @@
 
 namespace eagerx::linux_sim {
 
-/// Brings parts back between two episodes. All parts then are in a new session, so each is as new;
-/// what they wait in is safe as long as it lasts. Allocates memory, and says what happens.
+/// Reconnects parts between two episodes. All parts then start a new session with their initial
+/// state. The hub is safe while it waits. Allocates memory, and reports events.
 class Reconnection {
  public:
   Reconnection(GraphProgram& program, const Options& options);
 
   /// Why `--reconnect` is not possible in this run, or nothing.
   std::string problem_of_options() const;
-  /// After a link is over; `steps` are done. True: all parts begin anew. False: there is no wait
-  /// for parts, the time is over, or the run must end.
+  /// Call it after the loss of a link and `steps` steps. True: all parts have started a new
+  /// session. False: no `--reconnect`, the time has run out, or the run must end.
   bool link_again(std::uint64_t steps);
   bool has_lost() const { return losses_ > 0; }
-  /// Counts for the summary; `broken` becomes why the run is over, if a part has not come back.
+  /// Adds counts to the summary. Sets `broken` to the reason for the end of the run if a part did
+  /// not come back.
   void finish(Summary& summary, std::string& broken) const;
 
  private:

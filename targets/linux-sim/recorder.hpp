@@ -1,5 +1,4 @@
-// Handles the messages of a run besides their hash: written, measured, compared with a
-// log or taken from it.
+// Writes and measures the messages of a run, compares them with a log or takes them from it.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +24,7 @@ class Measures;
 class Publishing;
 class SceneRecord;
 
-/// A program's trace points to it, and so stays small. Programs call what is in the first part.
+/// A program's trace points to it, and so stays small. Programs call the first part.
 class Recorder {
  public:
   void episode(std::uint32_t index) { episode_ = index; }

@@ -1,4 +1,4 @@
-// Between the types of a graph and the rows that the library of linux-sim sees.
+// Converts between the types of a graph and the rows of the linux-sim library.
 #pragma once
 
 #include <array>

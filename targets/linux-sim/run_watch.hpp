@@ -69,7 +69,7 @@ class RunWatch : public Watch {
   virtual bool set_states(EpisodeKey key, StateRow states) {
     return inputs_.settings.apply(key, states);
   }
-  /// The same of what is set before a step, all of it tunable.
+  /// The same for tunable parameters that are set before a step.
   virtual bool set_parameters(Seq step, StateRow states) {
     return inputs_.settings.apply_at(step, states);
   }
@@ -77,7 +77,7 @@ class RunWatch : public Watch {
   /// to do in one of them has its own, and its own step().
   /// Takes the results of a step. Returns whether the episode has ended.
   bool count(Seq step, bool has_ended, const OutcomeView& outcome);
-  /// Waits until the step is over.
+  /// Waits until the end of the step.
   void pace(Seq step, bool has_ended);
   StateRow current_states() const { return record_.current(); }
   /// Between two steps.

@@ -91,7 +91,7 @@ class Session {
   int run() {
     const int problem = open();
     if (problem != kDone) {
-      // What an earlier run has left stays there until this one has begun well.
+      // Files of an earlier run stay until this one has started without an error.
       csv_.discard();
       trace_.discard();
       return problem;

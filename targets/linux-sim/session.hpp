@@ -1,4 +1,4 @@
-// One run of a program: files, summary, what ends it.
+// One run of a program: its files, its summary and its end.
 #pragma once
 
 #include <targets/linux-sim/dds/remote_agent.hpp>

@@ -1,4 +1,4 @@
-// Messages that are out of the space that their output is declared with.
+// Messages outside of the declared space of their output.
 #pragma once
 
 #include <cstddef>

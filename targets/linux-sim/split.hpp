@@ -38,7 +38,7 @@ class SplitLink {
 bool part_knows(const GraphFacts& facts, target::Agent agent);
 
 /// "a part of this graph runs on mps2-an386", "part `vision` of this graph is a program of its
-/// own": for what goes together with no part.
+/// own": for options that work without parts only.
 std::string parts_elsewhere(const GraphFacts& facts);
 /// "the board", "part `vision`"
 std::string name_of_part(const link::PartFacts& part);
@@ -49,16 +49,16 @@ struct PartLines {
 };
 /// The problem of the lines in the options; empty: each part has one.
 std::string find_parts(const GraphFacts& facts, const Options& options, PartLines& found);
-/// Opens the line to a part, which may be open, and begins a session. Returns what went wrong.
+/// Opens the line to a part, which may already be open, and begins a session. Returns the problem.
 std::string connect_part(SplitLink& link, const std::string& line, const std::string& key_file,
                          const GraphFacts& facts, const Options& options, double most_s);
-/// Begins a session on a line that is open. Returns what went wrong.
+/// Begins a session on an open line. Returns the problem.
 std::string greet_part(SplitLink& link, const GraphFacts& facts, double most_s);
-/// Why a link is over, for people; empty: it is not.
+/// The reason why a link has ended, for messages; empty if it works.
 std::string why_over(SplitLink& link, const GraphFacts& facts);
-/// Connects with all parts. Returns what went wrong; empty: nothing.
+/// Connects to all parts. Returns the problem; empty: none.
 std::string connect_parts(GraphProgram& program, const Options& options);
-/// Whether no link is over.
+/// Whether all links work.
 bool links_are_whole(GraphProgram& program);
 /// Ends the session of each part, and adds lines and counts of each to the summary.
 /// Returns why the run was over before its time, with the part's name; empty: it was not.

@@ -11,24 +11,24 @@
 
 namespace eagerx::linux_sim {
 
-/// Nothing of it allocates but the constructor and describe().
+/// Only the constructor and describe() allocate.
 class StateRecord {
  public:
   explicit StateRecord(const std::vector<Field>& states);
 
-  /// An episode begins, or parameters are set while it runs. What `states` does not have stays as
-  /// it was.
+  /// Begins an episode, or sets parameters during it. States without a value are unchanged.
   void begin(StateRow states);
   /// The last set value.
   StateRow current() const { return current_.row(); }
 
   /// Lines `# state EPISODE NAME VALUE,…`, which are no messages: the hash does not see them.
   void trace(host::TextFile& out, std::uint32_t episode) const;
-  /// Lines `# set EPISODE STEP NAME VALUE,…` of what `states` has, which was set before that step.
+  /// Lines `# set EPISODE STEP NAME VALUE,…` for the values in `states`, which were set before that
+  /// step.
   void trace_set(host::TextFile& out, std::uint32_t episode, Seq step, StateRow states) const;
   void column_names(host::TextFile& out) const;
   void columns(host::TextFile& out) const;
-  /// A line for each state: its value, or from where to where it was sampled.
+  /// A line for each state: its value, or the range of its samples.
   void describe(Summary& summary) const;
 
  private:
@@ -39,10 +39,10 @@ class StateRecord {
   std::vector<double> least_, most_;  // of all elements
 };
 
-/// Puts what a log says of its episode's states into `row`.
+/// Copies the states of an episode in a log into `row`.
 void repeat_states(const trace_log::Log& log, std::uint32_t episode,
                    const std::vector<Field>& states, StateRow row);
-/// The same of what was set before a step. False: nothing was.
+/// The same for parameters that were set before a step. False if none was.
 bool repeat_settings(const trace_log::Log& log, std::uint32_t episode, Seq step,
                      const std::vector<Field>& states, StateRow row);
 

@@ -39,7 +39,7 @@ std::string about(const StateSetting& setting) {
 }
 
 bool is_within(double x, double low, double high) {
-  // What is written as a decimal may be a float's neighbour.
+  // A decimal may round to a neighboring float.
   return (x >= low && x <= high) || static_cast<float>(x) == static_cast<float>(low) ||
          static_cast<float>(x) == static_cast<float>(high);
 }

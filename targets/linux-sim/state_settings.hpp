@@ -50,13 +50,14 @@ class StateSettings {
   /// The problem of `texts`, or nothing.
   std::string read(const std::vector<std::string>& texts);
 
-  /// Puts what is set into `states`, as the graph's own samples would be: the same numbers for the
-  /// same key. Does not allocate. False: nothing is set.
+  /// Stores the settings in `states`, sampled like the graph's own states: the same numbers for the
+  /// same key. Does not allocate. False if nothing is set.
   bool apply(EpisodeKey key, StateRow states) const;
 
   /// Whether something is set while an episode runs.
   bool tunes() const { return !running_.empty(); }
-  /// Puts what is set before step `step` (from 0) of every episode into `states`. False: nothing.
+  /// Stores the settings before step `step` (from 0) of every episode in `states`. False if there
+  /// are none.
   bool apply_at(Seq step, StateRow states) const;
 
  private:

@@ -31,7 +31,7 @@ std::string fixed(double value, int digits);
 
 std::string summary_text(const Summary& summary);
 
-/// That a run had rewards which were not finite: `first` says which, when.
+/// The message for a run with rewards that were not finite; `first` describes the first one.
 std::string not_finite_problem(const std::string& first, std::uint64_t seed,
                                std::uint32_t environment);
 

@@ -1,4 +1,4 @@
-// Where a program writes the rows of its table: a TextFile without its headers.
+// Writes the rows of a program's table: a TextFile without its headers.
 #pragma once
 
 #include <cstdint>

@@ -11,8 +11,8 @@
 
 namespace eagerx::linux_sim {
 
-/// Nothing of it allocates but the constructor, describe() and what is behind it. Sums are doubles.
-/// A graph without a task has nothing to record.
+/// Only the constructor, describe() and the functions after it allocate. Sums are doubles. Records
+/// nothing for a graph without a task.
 class TaskRecord {
  public:
   explicit TaskRecord(const std::vector<Fields::Outcome>& outcomes);

@@ -18,10 +18,9 @@ class Watch {
   target::Agent agent() const { return agent_; }
 
   virtual bool go_on() = 0;
-  /// Between two episodes: brings back parts that are lost. False: the run is over.
+  /// Between two episodes: reconnects lost parts. False: the run ends.
   virtual bool link_again() = 0;
-  /// Whether the run has begun and is over before its time, so that something may have to be made
-  /// safe.
+  /// Whether the run has begun and ends early, so that hardware may have to be made safe.
   virtual bool ends_early() const = 0;
   /// An episode begins with `states`, as the graph samples them. True: some are others now.
   virtual bool begin_episode(EpisodeKey key, StateRow states) = 0;
@@ -29,11 +28,11 @@ class Watch {
   virtual StateRow states() = 0;
   /// Whether parameters may be set while an episode runs.
   bool tunes() const { return tunes_; }
-  /// Puts what is set before step `step` (from 0) into `states`. False: nothing is.
+  /// Stores the settings before step `step` (from 0) in `states`. False if there are none.
   virtual bool tune(std::uint32_t episode, Seq step, StateRow states) = 0;
   virtual void reset(std::uint32_t episode) = 0;
   virtual void step(Seq step, bool has_ended, const OutcomeView& outcome) = 0;
-  /// Whether an episode is over before its last step.
+  /// Whether an episode ends before its last step.
   bool is_over() const { return is_over_; }
   /// Whether messages of a step are looked at before the next step, so that all must be there.
   bool looks() const { return looks_; }
@@ -41,15 +40,16 @@ class Watch {
 
   /// Null: there is no table. Its rows are written before reset() and step().
   TableWriter* table() { return writes_ ? &writer_ : nullptr; }
-  /// Columns of a row behind all others: their names, or their values.
+  /// The last columns of a row: their names, or their values.
   virtual void state_column_names() = 0;
   virtual void state_columns() = 0;
 
-  /// The action of a file, null behind its end, or of another process: one over DDS sees
+  /// The action of a file, null after its end, or of another process: an agent over DDS receives
   /// observations().
   virtual const void* given_action(Seq step) = 0;
 
-  /// Whether an external agent sees observations and what was applied, before reset() and step().
+  /// Whether an external agent receives observations and applied actions, before reset() and
+  /// step().
   bool has_external_agent() const { return agent_ == kExternalAgent; }
   virtual ObservationRow external_observation() = 0;
   virtual void applied(const void* action) = 0;
@@ -57,7 +57,7 @@ class Watch {
   virtual EpisodeKey key(EpisodeKey planned) = 0;
 
   bool has_faults() const { return has_faults_; }
-  /// Memory for what an agent would see without them, or sees in another process.
+  /// Memory for the observations without faults, or for an agent in another process.
   virtual ObservationRow observations() = 0;
   /// The agent's view of them; valid until the next call.
   virtual ObservationRow seen(Seq step) = 0;

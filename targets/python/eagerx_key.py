@@ -45,7 +45,7 @@ class Stranger(Exception):
 
 
 class Forged(Exception):
-    """What came is not what the other end sent next."""
+    """The bytes received are not the next ones of the other end."""
 
 
 class _Sodium:

@@ -57,7 +57,7 @@ class Port:
             return data
 
     def send(self, data, until):
-        """What of the bytes could not be sent until then, of time.monotonic()."""
+        """Sends bytes until a time of time.monotonic(); returns the rest that could not be sent."""
         while data:
             try:
                 data = data[os.write(self.file, data):]

@@ -119,7 +119,7 @@ def greeting(graph, runtime, session, status=0):
 
 
 def crc_start_of(graph, runtime, session):
-    """What the checksums of a session's requests and answers begin from."""
+    """Initial values of the checksums of a session's requests and answers."""
     return crc32c(greeting(graph, runtime, session))
 
 

@@ -25,7 +25,7 @@ NO_COUNTS = b"\0"
 
 
 class PartError(Exception):
-    """What a node or part.json does wrong."""
+    """An error in a node or in part.json."""
 
 
 def check(condition, text):
@@ -85,7 +85,7 @@ class Input:
         return (self.a * n - self.x) // self.b
 
     def take(self, n):
-        """What is in the window at tick n; to be called at every tick once."""
+        """The messages in the window at tick n. Call it once at every tick."""
         before = self.received
         if not self.skip:
             self.received = max(1, self._sent(n) + 1)
@@ -127,7 +127,7 @@ class Node:
 
 
 class Turn:
-    """What a node does at a tick: it runs here, or its messages come over the line."""
+    """A node at a tick: it runs here, or its messages come over the line."""
 
     def __init__(self, layout, messages, nodes):
         self.rate, self.node = layout["rate"], nodes.get(layout["node"])

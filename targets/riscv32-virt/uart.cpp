@@ -1,4 +1,5 @@
-// The 16550 of QEMU's board virt; it sends at once, at no particular rate. Source: TI PC16550D, 8.
+// The 16550 of QEMU's board virt, which sends immediately, without a baud rate. Source: TI
+// PC16550D, 8.
 #include <cstdint>
 #include <targets/common/bare-metal/console.hpp>
 

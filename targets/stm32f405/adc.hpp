@@ -28,7 +28,7 @@ class Adc {
     Memory::write(kControl2, kOn);
     for (std::uint32_t i = 0; i < kReadsToSettle; ++i) static_cast<void>(Memory::read(kStatus));
   }
-  /// The pin of channel 0 to 15 becomes analogue; kNoPin where there is none.
+  /// The analog pin of channel 0 to 15; kNoPin if there is none.
   static constexpr Pin pin_of_channel(std::uint8_t channel) {
     if (channel < 8) return {0, channel};                                          // PA0 to PA7
     if (channel < 10) return {1, static_cast<std::uint8_t>(channel - 8)};          // PB0, PB1

@@ -1,4 +1,4 @@
-// 168 MHz from the internal oscillator: no crystal is needed, and boards have different ones. Its
+// 168 MHz from the internal oscillator, because boards have different crystals or none. Its
 // accuracy is 1 % (DS8626, table 41). Not tried on hardware; QEMU has no clock tree.
 #include <targets/common/bare-metal/start.hpp>
 #include <targets/stm32f405/registers.hpp>

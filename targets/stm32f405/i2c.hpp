@@ -150,8 +150,8 @@ class I2c {
     return n > 0 ? wait(kByteDone) : BusError::none;
   }
 
-  /// 27.3.3, master receiver: the last byte is not acknowledged, and the stop is asked for before
-  /// the last bytes are taken; how, depends on their number.
+  /// 27.3.3, master receiver: the last byte is not acknowledged, and the stop is requested before
+  /// the last bytes are read, in a way that depends on their number.
   BusError receive(std::uint8_t address, std::uint8_t* in, std::size_t m) {
     const std::uint32_t mode = m == 1 ? 0 : m == 2 ? kAcknowledge | kAcknowledgeNext : kAcknowledge;
     change_bits<Memory>(reg(kControl1), kAcknowledge | kAcknowledgeNext, mode);
@@ -208,7 +208,7 @@ class I2c {
     }
     return BusError::timeout;
   }
-  /// The bus is busy for a moment after a stop, and as long as somebody holds a line.
+  /// The bus is busy for a moment after a stop, and while a device holds a line.
   bool is_free() const {
     for (std::uint32_t i = 0; i < kPatience; ++i) {
       if (!has_bits<Memory>(reg(kStatus2), kBusy)) return true;

@@ -65,8 +65,8 @@ class Pwm {
   std::uint32_t period_ = 0;
 };
 
-/// No timer drives a pin any more: outputs of general timers are low, those of advanced ones float
-/// (17.4.9, 17.4.18, 18.4.9). For when the program that wrote duties is lost.
+/// Disconnects all timers from their pins: outputs of general timers are low, those of advanced
+/// ones float (17.4.9, 17.4.18, 18.4.9). For faults of the program that sets duty cycles.
 template <class Memory = MappedMemory>
 void stop_all_pwm() {
   // Not the ports themselves: their pins would take flash in every image.

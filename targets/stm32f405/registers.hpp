@@ -31,7 +31,7 @@ struct Gate {
   std::uintptr_t enable;
   std::uint32_t bit;
 };
-/// Two reads lie between this and the first access, as 7.2.14 wants it.
+/// Two reads separate this from the first access, as 7.2.14 requires.
 template <class Memory>
 void open(Gate gate) {
   set_bits<Memory>(gate.enable, 1U << gate.bit);

@@ -7,8 +7,8 @@
 
 namespace eagerx::board::stm32 {
 
-/// Resets the chip when it is not fed, on a clock of its own of 32 kHz that is off by up to a half
-/// (17 to 47 kHz, DS8626 table 42): a time-out of T may come after 0.68·T. Nothing stops it.
+/// Resets the chip if it is not fed. It has its own clock of 32 kHz with a large error (17 to 47
+/// kHz, DS8626 table 42): a time-out of T may come after 0.68·T. It cannot be stopped.
 template <class Memory = MappedMemory>
 class IndependentWatchdog {
  public:

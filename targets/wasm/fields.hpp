@@ -1,5 +1,4 @@
-// The numbers of a simulation that JavaScript reads and writes: where each is, and what it is
-// called.
+// Addresses and names of the numbers of a simulation that JavaScript reads and writes.
 #pragma once
 
 #include <cstddef>

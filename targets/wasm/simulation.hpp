@@ -25,7 +25,7 @@
 
 namespace eagerx::wasm {
 
-/// The hash of all messages and, once somebody watches, the newest message of each channel.
+/// The hash of all messages and, once requested, the newest message of each channel.
 template <class Graph>
 class Recorder : public target::LastShown<Graph> {
  public:
@@ -52,7 +52,7 @@ class Recorder : public target::LastShown<Graph> {
   const std::size_t* first_ = nullptr;
 };
 
-/// Who decides: target::Agent, or numbers that JavaScript has written.
+/// Source of the actions: target::Agent, or numbers from JavaScript.
 enum class Driver : std::uint8_t { policy, zero, random, hand };
 
 /// The problem of this machine.
@@ -146,8 +146,8 @@ class Simulation {
     return true;
   }
 
-  /// Sets what `settings` has of parameters that an episode can change, before the next step; false
-  /// if one is outside of its space, and then nothing happens.
+  /// Sets the parameters in `settings` that can change during an episode, before the next step;
+  /// false, without any change, if one is out of its space.
   bool tune() {
     States set{};
     if (!apply_settings(set, true)) return false;
@@ -197,7 +197,7 @@ class Simulation {
     }
   }
 
-  /// JSON of what was counted that is not 0. Valid until the next call.
+  /// JSON of the nonzero counts. Valid until the next call.
   const char* counts() {
     counts_.clear();
     const auto add = [&](const char* name, std::uint64_t count) {
@@ -264,7 +264,7 @@ class Simulation {
     return true;
   }
 
-  /// NaN for what is empty.
+  /// NaN for empty states.
   void write(const States& from) {
     double* to = states.values.data();
     Graph::for_each_state([&](const char*, const char*, auto member, const auto&) {

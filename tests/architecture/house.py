@@ -20,7 +20,7 @@ class Target:
 
 
 class Declared:
-    """What links.cmake wrote."""
+    """The output of links.cmake."""
 
     def __init__(self, text):
         self.targets = {}

@@ -5,7 +5,7 @@ function(eagerx_write_links file)
   set(text "")
   foreach(folder IN LISTS ARGN)
     get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
-    # What programs link of targets/, eagerx_targets stands for.
+    # eagerx_targets represents the libraries of targets/ that programs link.
     list(FILTER targets EXCLUDE REGEX "^eagerx_(linux_sim|pictures|environments)$")
     foreach(target IN LISTS targets)
       _eagerx_links_of(lines ${target})
@@ -32,8 +32,8 @@ function(_eagerx_links_of variable target)
       string(APPEND text "source ${source}\n")
     endif()
   endforeach()
-  # What a library does not hand on to those that include it is for the linker, $<LINK_ONLY:…>. `::@` marks the folder in
-  # which libraries were added.
+  # Private dependencies of a library are marked for the linker, $<LINK_ONLY:…>. `::@` marks the folder in which
+  # libraries were added.
   set(public)
   set(all)
   if(NOT type STREQUAL EXECUTABLE)

@@ -29,7 +29,7 @@ EXPORT int qemu_plugin_version = PLUGIN_VERSION;
 
 enum { kMostEntries = 1 << 20, kMostFrames = 1 << 12, kMostHandlers = 16 };
 
-// What is known of an instruction; one for each halfword of the code.
+// Data of an instruction, one for each halfword of the code.
 struct place {
   uint32_t at, next;  // `next`: behind a call; 0: it is none
   uint64_t most, calls;

@@ -1,4 +1,4 @@
-# What the commands say to somebody who types something wrong, and what to type next.
+# Errors in command lines, and the commands that the messages suggest.
 add_test(NAME commands COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DIR})
 # A full disk, closed descriptors, and characters that steer terminals.
 add_test(NAME commands_full_disk COMMAND ${CMAKE_CURRENT_LIST_DIR}/full_disk ${PROJECT_BINARY_DIR})

@@ -13,7 +13,7 @@ GENERATOR = [os.path.join(BUILD, "eagerx-gen")]
 TRAIN = [os.path.join(BUILD, "eagerx-train"), LIBRARY, "--steps", "8192", "--hidden", "4", "--quiet"]
 CAMPAIGN = [os.path.join(BUILD, "eagerx-campaign"), LIBRARY, "--runs", "2000", "--quiet"]
 PLAY = [PROGRAM, "--episodes", "200", "--quiet"]
-# What makes each output: words without it, what it is called, and what else that command needs.
+# For each output: the command line without it, its name, and what else the command needs.
 OUTPUTS = {
     ("generate", "--output"): [*GENERATOR, "generate", SWING, "--quiet"],
     ("generate", "--depfile"): [*GENERATOR, "generate", SWING, "--quiet", "--output", "elsewhere"],

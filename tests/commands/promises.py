@@ -1,4 +1,4 @@
-"""What a version promises, as lists: tests/commands/stability compares them with those of earlier versions, and
+"""The promises of a version, as lists: tests/commands/stability compares them with those of earlier versions, and
 tests/data/stability/add writes them."""
 import ast
 import pathlib

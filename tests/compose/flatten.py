@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What `eagerx-gen info --flat` prints, as a graph that a person could have written.
+"""The output of `eagerx-gen info --flat`, as a handwritten graph.
 
     flatten.py FLAT.yaml OUT.yaml     names of what is inside become identifiers: arm/leg[2] → arm_ab
     flatten.py --names FLAT.yaml TEXT         the same names in a generated text, on the standard output

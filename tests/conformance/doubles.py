@@ -17,7 +17,7 @@ def divides(rate, other):
 
 
 class Counter:
-    """What one input has received: with Fractions exactly, with doubles as EAGERx computes it."""
+    """Messages that one input has received: exact with Fractions, as EAGERx computes them with doubles."""
 
     def __init__(self, rate_in, rate, delay, skip, window):
         self.rate_in, self.rate, self.delay, self.skip = rate_in, rate, delay, skip

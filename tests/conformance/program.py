@@ -78,7 +78,7 @@ class Builder:
         self.count = 0
 
     def shared(self):
-        """What all programs need: the driver, and its headers and the runtime's, compiled once."""
+        """Shared by all programs: the driver, and its headers and the runtime's, compiled once."""
         with self.shared_lock:
             if not self.shared_made:
                 header = self.work / "common.hpp"
@@ -91,7 +91,7 @@ class Builder:
                 self.shared_made = True
 
     def options(self, graph, recording):
-        """What a file of Graph.save does not say: the engine and the rates."""
+        """Settings that a file of Graph.save lacks: the engine and the rates."""
         if recording is None or not re.search(r"^engine_id: null$", graph.read_text(), re.MULTILINE):
             return []
         # A rate of 100/3 Hz is recorded as a double.

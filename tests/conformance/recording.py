@@ -140,7 +140,7 @@ class Recording:
                 if thing in self.objects() and None not in (flat(sim.get("state")) or [None]) and (self.has_reset_nodes or thing not in chosen)}
 
     def script(self):
-        """What tests/conformance/driver.hpp reads. EAGERx resets twice before the first episode; programs do that
+        """Writes the input of tests/conformance/driver.hpp. EAGERx resets twice before the first episode; programs do that
         themselves where reset nodes are at work. After the last step of an episode more steps, with actions zero, reach what other
         nodes had already executed; the routine of the reset nodes reaches it too."""
         lines = []

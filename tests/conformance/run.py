@@ -1,4 +1,4 @@
-"""What our program printed (driver.hpp), by episode, node and tick."""
+"""The output of our program (driver.hpp), by episode, node and tick."""
 
 
 def number(word):

@@ -1,4 +1,4 @@
-# What is set of one connection is that connection's alone.
+# Settings of a connection affect that connection only.
 set(programs)
 foreach(graph one_output in_the_graph)
   eagerx_add_graph(TARGET connections_${graph} GRAPH ${CMAKE_CURRENT_LIST_DIR}/${graph}.yaml)

@@ -1,4 +1,4 @@
-"""What tests of changed cases share: the problems of a case, and a folder in which changed ones are checked."""
+"""Shared by tests of changed cases: the problems of a case, and a folder in which changed ones are checked."""
 import json
 import os
 import pathlib
@@ -14,7 +14,7 @@ def options_of(case):
 
 
 def problems_of(generator, case, options=None):
-    """What `check` says of a case, with these options, or those of its first line."""
+    """The output of `check` for a case, with these options, or those of its first line."""
     options = options_of(case) if options is None else list(options)
     if "json" in options:
         options = []

@@ -313,7 +313,7 @@ class Trial:
         yield document.text(), self.options
 
     def after(self):
-        """What stands behind the beginning of the problem."""
+        """The text after the beginning of the problem."""
         return self.text.splitlines()[self.line - 1][self.column - 1:]
 
     def of_kind(self, word):

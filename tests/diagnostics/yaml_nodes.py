@@ -84,7 +84,7 @@ def closed(node, key):
 
 
 def value_at(step):
-    """What stands at a step of a way."""
+    """The node at a step of a path."""
     collection, i, _ = step
     return collection.value[i][1] if is_map(collection) else collection.value[i]
 

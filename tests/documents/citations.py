@@ -1,4 +1,4 @@
-"""What sources cite: sections of runtime/SEMANTICS.md, and no document that is elsewhere."""
+"""Citations in sources: sections of runtime/SEMANTICS.md, and no document outside the repository."""
 import re
 
 from markdown import files

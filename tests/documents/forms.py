@@ -7,7 +7,7 @@ from markdown import files
 
 
 class Paragraphs(html.parser.HTMLParser):
-    """What GitHub's parser shows as running text, outside of code."""
+    """Text that GitHub's parser shows as running text, outside of code."""
 
     def __init__(self):
         super().__init__()

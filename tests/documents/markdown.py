@@ -29,7 +29,7 @@ def prose(text):
 
 
 def anchors(text):
-    """What headings can be linked by: lower case, without punctuation, hyphens for blanks, numbered if there are more."""
+    """Anchors of headings: lower case, without punctuation, hyphens for blanks, numbered if repeated."""
     seen, result = {}, set()
     for _, line in prose(text):
         heading = re.match(r"#{1,6}\s+(.*?)\s*#*\s*$", line)

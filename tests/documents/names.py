@@ -9,13 +9,13 @@ PATH = re.compile(r"[\w.+{},*-]+(?:/[\w.+{},*-]+)+/?")
 KINDS = ("md", "hpp", "cpp", "yaml", "csv", "py", "cmake", "h", "sh", "js", "json", "svg", "png", "css", "mustache", "onnx", "proto")
 PLACEHOLDER = re.compile(r"\b[A-Z][A-Z]+(?:\b|_)|my_|NNN")  # the reader's own names
 FILE_COLUMNS = ("file", "header")  # of tables: every name in that column is a file
-# What documents let the reader write, or say of programs that are made.
+# Files that documents ask the reader to write, or that programs generate.
 MADE = ("models/nodes/limited_gain/*", "build/*", "build-*", "generated/*", "frames/*", "docs/*", "lib/*", "src/*", "libraries/*",
         "vision/*", "part.json")
 
 
 class Names:
-    """What a folder has: whole paths, and every end of them, with and without what follows the dot."""
+    """The files of a folder: whole paths, and every suffix of them, with and without the extension."""
 
     def __init__(self, root, every):
         self.ends, self.tops = set(), set()

@@ -81,7 +81,7 @@ class Batch:
         self.check(self.library.c.eagerx_set_stage(self.handle, mask, None if name is None else name.encode()))
 
     def critic(self):
-        """What only the critic of a training sees: rows of now, and of the ends of episodes."""
+        """Inputs of a training's critic only: current rows, and rows of the ends of episodes."""
         now, ends = ((c_float * (self.environments * self.library.seen))() for _ in range(2))
         self.check(self.library.c.eagerx_critic(self.handle, now, ends))
         return bytes(now), bytes(ends)

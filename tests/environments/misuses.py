@@ -14,7 +14,7 @@ from eagerx_gen.library import _Options, _Rows
 from eagerx_gen.stable_baselines3_vec_env import VecEnv
 
 KINDS = (ValueError, eagerx_gen.Error, AttributeError)
-"""What a wrong call may raise. AttributeError: of attributes that stay as they are, or are not there."""
+"""Exceptions that a wrong call may raise. AttributeError: for attributes that are read-only or do not exist."""
 
 MODES = ("next_step", "same_step", "disabled")
 
@@ -221,7 +221,7 @@ class Plain:
 
 
 class Wrapper:
-    """What Env, VectorEnv and VecEnv share."""
+    """Misuses that Env, VectorEnv and VecEnv share."""
 
     def __init__(self, library, rng):
         self.library, self.n, self.flatten = library, rng.choice((1, 2, 4, 37)), rng.random() < 0.5

@@ -13,6 +13,6 @@ eagerx_add_graph(TARGET examples_gym_swing_up GRAPH ${PROJECT_SOURCE_DIR}/exampl
 add_test(NAME examples.pendulum_swing_up.GymEngine
          COMMAND ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/evaluate linux-sim=$<TARGET_FILE:examples_gym_swing_up>)
 set_tests_properties(examples.pendulum_swing_up.GymEngine PROPERTIES LABELS examples)
-# What is unfinished in the exercises of the tutorials is found, and their answers are accepted.
+# The checks of the tutorials find what is unfinished in the exercises, and accept the answers.
 add_test(NAME examples.exercises COMMAND ${CMAKE_CURRENT_LIST_DIR}/exercises ${PROJECT_BINARY_DIR})
 set_tests_properties(examples.exercises PROPERTIES LABELS examples)

@@ -1,4 +1,5 @@
-// What a library may do while a program runs: EAGERX_TEST_FLOATS=flush or =round.
+// Changes the floating-point mode, as a library may do at run time: EAGERX_TEST_FLOATS=flush or
+// =round.
 #include <cfenv>
 #include <cstdlib>
 #include <string_view>

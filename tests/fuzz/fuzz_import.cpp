@@ -1,5 +1,5 @@
 // Any bytes as a file that EAGERx saved: no crash, no endless work, and either a graph or a reason.
-// What was imported can be written, and the text means the same graph.
+// An imported graph can be written, and its text means the same graph.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// What strangers send to a line with a key: greetings, records, and files that are not keys.
+// Bytes from strangers on a line with a key: greetings, records, and files that are not keys.
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// What an editor sends: the outline of a half-written text with a cursor at any place, and the
+// Input from an editor: the outline of an incomplete text with a cursor at any place, and the
 // protocol. Input: the text of a graph, or, from a first byte 0xff on, bytes of the stream.
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What comes over the serial line of a board, and the layout that says how to read it.
+// Bytes from the serial line of a board, and the layout to decode them.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // libFuzzer: any bytes as the code of a TorchScript archive are a policy or exactly one diagnostic.
-// What is next to the code comes from a file that torch wrote.
+// The rest of the archive comes from a file that torch wrote.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

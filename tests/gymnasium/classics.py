@@ -12,8 +12,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLE = ROOT / "examples/gymnasium_classics"
 
 
-# What half of the episodes do instead of sampling actions, so that goals are reached: push along with the motion, or
-# hold the pole. Observations [count, n] to actions [count].
+# Policies of half of the episodes, which reach goals that sampled actions do not: push along with the motion, or hold
+# the pole. Observations [count, n] to actions [count].
 def hold(seen):
     return seen[:, 2] + 0.4 * seen[:, 3] + 0.05 * seen[:, 0] + 0.15 * seen[:, 1] > 0
 

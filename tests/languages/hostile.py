@@ -56,7 +56,7 @@ class Started(Part):
         super().__init__(command, self.folder.name, line, small)
 
     def says_the_page(self, script):
-        """What it says otherwise; nothing if it is right."""
+        """The difference from the expected output; empty if there is none."""
         for direction, data in script:
             if direction == "hub":
                 self.hub.sendall(data)

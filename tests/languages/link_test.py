@@ -155,7 +155,7 @@ def refused():
 
 
 def messages():
-    """What comes and goes has the type of its message, or is refused."""
+    """Messages in both directions have the right type, or are rejected."""
     layout = {"name": "a/b", "bytes": 3, "keep": 2, "shape": [3], "dtype": "bool"}
     flags = eagerx_part.Message(layout)
     flags.receive(4, b"\0\5\1")

@@ -132,7 +132,7 @@ class Silent:
 
 
 def sealed_lines(script):
-    """What the hub and the part of the page say, as tests/trust/sealed.py says it: three blocks."""
+    """The messages of the hub and the part on the page, as tests/trust/sealed.py prints them: three blocks."""
     sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../trust"))
     import sealed  # noqa: PLC0415  it needs libsodium, which a page without a key does not
     sampled = Sampled(sealed.sodium)

@@ -55,7 +55,7 @@ def shown(process, pattern):
 
 
 def ended(process, code=0):
-    """What it printed, and its last words."""
+    """Its output, and its last messages."""
     out, err = process.communicate(timeout=PATIENCE_S)
     assert process.returncode == code, (process.returncode, out, err)
     return out, err

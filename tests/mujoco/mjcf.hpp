@@ -64,7 +64,7 @@ struct PrincipalInertia {
   }
 };
 
-/// What the description does not say.
+/// Settings that the description does not contain.
 struct MjcfSettings {
   double step_s = 0.002;
   std::string options;  // further attributes of <option>

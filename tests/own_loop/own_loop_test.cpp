@@ -1,4 +1,4 @@
-// What reaches an actuator from main loops that know nothing of safety.
+// Messages that reach an actuator from main loops without code for safety.
 #include <gtest/gtest.h>
 
 #include <cfenv>

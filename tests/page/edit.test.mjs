@@ -1,4 +1,4 @@
-// What the page that edits computes: values as text, ports that fit, places, what lies under the pointer, edits.
+// Computations of the editing page: values as text, ports that fit, places, the element under the pointer, edits.
 import assert from "node:assert/strict";
 import test from "node:test";
 

@@ -1,4 +1,4 @@
-// What views are built of.
+// The elements of views.
 import assert from "node:assert/strict";
 import test from "node:test";
 

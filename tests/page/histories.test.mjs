@@ -1,4 +1,4 @@
-// What is kept of messages that come while the page looks on, and of the scenes of a trace.
+// Histories of live messages, and of the scenes of a trace.
 import assert from "node:assert/strict";
 import test from "node:test";
 

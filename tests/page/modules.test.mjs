@@ -1,4 +1,4 @@
-// What generator/tools/page/modules.cpp needs of the modules to make one script of them.
+// Requirements of generator/tools/page/modules.cpp on the modules that it joins into one script.
 import assert from "node:assert/strict";
 import {readdirSync, readFileSync} from "node:fs";
 import test from "node:test";

@@ -1,5 +1,5 @@
-// What a connection has received: the page adds up what the generator counts. Here it is counted another way, message
-// by message in exact fractions.
+// Messages that a connection has received: the page adds up the generator's counts. This test counts in another way,
+// message by message in exact fractions.
 import assert from "node:assert/strict";
 import test from "node:test";
 

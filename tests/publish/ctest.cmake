@@ -1,4 +1,4 @@
-# What programs let others see while they run. In real time, with readers that stand still: tests/publish/run.
+# Messages that programs publish while they run. tests/publish/run tests real time, with readers that hang.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(guarded)
 if(TARGET no_alloc_swing_up)

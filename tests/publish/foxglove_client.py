@@ -132,7 +132,7 @@ class WebSocket:
 
 
 class Foxglove(WebSocket):
-    """What has come so far: `channels` {topic: …}, `services` {name: …}, `messages` {topic: [(time in ns, JSON)]}, `times`,
+    """The data received so far: `channels` {topic: …}, `services` {name: …}, `messages` {topic: [(time in ns, JSON)]}, `times`,
     `parameters` {name: value}, `problems` [text], `answers` {call: JSON or text}."""
 
     def __init__(self, port, **options):

@@ -1,4 +1,4 @@
-# What programs let others see by Foxglove's protocol and by DDS.
+# Messages that programs publish by Foxglove's protocol and by DDS.
 set(guarded)
 if(TARGET no_alloc_swing_up)
   set(guarded $<TARGET_FILE:no_alloc_swing_up>)

@@ -1,4 +1,4 @@
-"""What a `foxglove.SceneUpdate` must have, after schemas/jsonschema/SceneUpdate.json of github.com/foxglove/foxglove-sdk."""
+"""Members that a `foxglove.SceneUpdate` must have, after schemas/jsonschema/SceneUpdate.json of github.com/foxglove/foxglove-sdk."""
 POSE = {"position": dict.fromkeys("xyz", float), "orientation": dict.fromkeys("xyzw", float)}
 COLOUR = dict.fromkeys("rgba", float)
 VECTOR = dict.fromkeys("xyz", float)

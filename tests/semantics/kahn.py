@@ -122,7 +122,7 @@ def fold(windows, h):
 
 
 class Record:
-    """What happened at a tick of a node."""
+    """The events at a tick of a node."""
 
     def __init__(self, time, called, windows, sent, simulators, target):
         self.time, self.called, self.windows, self.sent, self.simulators = time, called, windows, sent, simulators
@@ -257,7 +257,7 @@ class Network:
 
 
 def recording(name, network, steps, episodes, seed):
-    """What EAGERx would have recorded, in the form of its recordings (tests/conformance/README.md). `episodes`: the
+    """The recording that EAGERx would have made, in its format (tests/conformance/README.md). `episodes`: the
     states of each. Every episode is simulated twice in different firing orders, which must make no difference."""
     chooser = random.Random(seed)
     content = {"name": name, "env_rate": number(network.nodes["environment"].rate), "env_trace": [],

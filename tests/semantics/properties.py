@@ -1,4 +1,4 @@
-"""What must be true of every run, whatever was simulated."""
+"""Properties that must hold for every run of any simulation."""
 import random
 import re
 from fractions import Fraction
@@ -100,7 +100,7 @@ class Rings:
     def check(self, network, folder, printed):
         header = next(folder.glob("*/program.hpp")).read_text()
         memory = header[header.index("// Messages: as many"):header.index("// Simulators, engine and nodes")]
-        # What stands behind a member may take several lines.
+        # The comment after a member may take several lines.
         needs = re.compile(r"needs(?:\s|//)+(\d+)")
         found = {member: (int(capacity), int((needs.search(behind) or [0, 1])[1])) for member, capacity, behind in
                  re.findall(r"(\w+)_\[(\d+)\]\{\};((?:[ \n]*//[^\n]*)*)", memory)}

@@ -90,7 +90,7 @@ class Server:
         return self.change("edit", edits=list(edits))
 
     def raw(self, data, timeout=20):
-        """What comes back for these bytes until the server closes."""
+        """The server's answer to these bytes until it closes."""
         with socket.create_connection(("127.0.0.1", self.port), timeout=timeout) as peer:
             received = b""
             try:

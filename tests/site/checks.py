@@ -1,4 +1,4 @@
-"""What is wrong with a folder of HTML: links, anchors, pages that none leads to."""
+"""Problems in a folder of HTML: links, anchors, pages without a link to them."""
 import collections
 import html.parser
 import posixpath

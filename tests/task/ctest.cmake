@@ -1,4 +1,4 @@
-# What tasks compute, in main loops of their own.
+# Results of tasks, in handwritten main loops.
 set(task_graphs tutorial many_rates gym)
 add_executable(task_test ${CMAKE_CURRENT_LIST_DIR}/task_test.cpp)
 foreach(graph IN LISTS task_graphs)

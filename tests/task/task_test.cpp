@@ -1,5 +1,5 @@
-// What generated tasks compute, against the same in double from the messages of the trace, by the
-// times at which these were sent.
+// Compares the results of generated tasks with the same computation in double from the messages of
+// the trace and their send times.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a board sent, against the trace of the same run:
+// Compares the telemetry of a board with the trace of the same run:
 //   telemetry_check telemetry.json CAPTURE TRACE [lossy | damage COUNT SEED]
 // Every value that the decoder shows must be that of the trace, and there must be all of them;
 // `lossy`: some may be missing; `damage`: this number of frames is damaged first, and exactly these

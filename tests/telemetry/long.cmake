@@ -1,4 +1,5 @@
-# What emulated boards send, against the trace of linux-sim; one core of Arm and one of RISC-V. Others: run by hand.
+# Compares the telemetry of emulated boards with the trace of linux-sim, for one Arm and one RISC-V core. Run others by
+# hand.
 add_executable(telemetry_check ${CMAKE_CURRENT_LIST_DIR}/check.cpp)
 target_link_libraries(telemetry_check PRIVATE eagerx_warnings eagerx_gen_tools eagerx_telemetry)
 foreach(board mps2-an386 riscv32-virt)

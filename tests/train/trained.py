@@ -1,4 +1,4 @@
-"""What the tests of trained policies share: trainings, programs that judge them, the emulated board."""
+"""Shared by tests of trained policies: trainings, programs that judge them, the emulated board."""
 import os
 import pathlib
 import re

@@ -320,7 +320,7 @@ def files_that_are_no_key(stage):
     check(hub.wait() == 2 and "error: two keys for one line" in hub.said(), "two keys", hub.said())
     part = stage.start([*stage.program("left"), "--listen", "unix:" + path + "s", "--key", stage.key])
     check(part.wait() == 3 and "does nothing: it is for TCP" in part.said(), "no key for a unix socket", part.said())
-    # What is there stays.
+    # An existing file stays.
     before = open(stage.key, encoding="ascii").read()
     again = subprocess.run([GENERATOR, "key", "new", stage.key], capture_output=True, text=True)
     check(again.returncode == 3 and "there is a file of this name" in again.stderr, "not over a file", again.stderr)

@@ -35,7 +35,7 @@ class Process:
             time.sleep(LOOK_S)
 
     def state(self):
-        """What it does, as in proc(5), and its seconds of processor time."""
+        """Its state, as in proc(5), and its processor time in seconds."""
         with open(f"/proc/{self.process.pid}/stat", encoding="ascii", errors="replace") as file:
             fields = file.read().rpartition(")")[2].split()
         return fields[0], (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")

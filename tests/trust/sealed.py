@@ -114,7 +114,7 @@ class Sealed:
             self.connection.sendall(length + self.out.seal(piece, length))
 
     def receive(self):
-        """What was in one record; empty at the end."""
+        """The contents of one record; empty at the end."""
         length = receive_exactly(self.connection, 2)
         size = struct.unpack("<H", length)[0]
         data, tag = self.into.open(receive_exactly(self.connection, size + SEAL), length)

@@ -17,7 +17,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What builds the programs, what builds them faster, and what only some graphs and boards need.
+# Packages that build programs, that speed up builds, and that only some graphs and boards need.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake (>= 3.25), ninja-build, pkg-config, gcc-arm-none-eabi, libnewlib-arm-none-eabi, \
 libstdc++-arm-none-eabi-newlib, libstdc++-arm-none-eabi-dev, qemu-system-arm, ffmpeg, libsdl2-2.0-0")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS

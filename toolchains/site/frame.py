@@ -1,4 +1,4 @@
-"""What all pages have: head, navigation, search, theme."""
+"""Shared by all pages: head, navigation, search, theme."""
 import html
 import posixpath
 

@@ -24,7 +24,7 @@ def range_of(schema):
 
 
 def shape_of(schema):
-    """What a value is, in words."""
+    """The description of a value in words."""
     kinds = []
     for each in alternatives(schema):
         if "enum" in each:

@@ -15,7 +15,7 @@ class LinkError(Exception):
 
 
 def is_skipped(path):
-    """What a build or an editor leaves."""
+    """Files that a build or an editor leaves behind."""
     return any(part in ("__pycache__", "generated") or part.startswith(".") for part in path.parts)
 
 

@@ -1,5 +1,5 @@
-// Two graphs compared by what they mean: nodes, connections, rates, spaces, ages. The order, the
-// layout and the names of files do not matter, nor whether a value is written or a default.
+// Compares two graphs by meaning: nodes, connections, rates, spaces, ages. Order, layout and file
+// names do not matter, nor does it matter whether a value is written or a default.
 #pragma once
 
 #include <map>
@@ -13,8 +13,9 @@ namespace eagerx::gen {
 using GraphFacts = std::map<std::string, std::string>;
 GraphFacts facts_of(const PlanInfo& report);
 
-/// A line for each difference: `-` only the first has it, `+` only the second, `~` both, but
-/// another value. Of an entity that only one has, one line. Empty if there is none.
+/// A line for each difference: `-` if only the first graph has it, `+` if only the second, `~` if
+/// both have it with different values. One line for an entity that only one has. Empty if there are
+/// no differences.
 std::string differences(const GraphFacts& first, const GraphFacts& second);
 
 }  // namespace eagerx::gen

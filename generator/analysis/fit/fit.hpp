@@ -1,4 +1,4 @@
-// Whether the bounds of slots fit into the time that the graph's rates give them.
+// Checks that the bounds of slots fit into the time that the graph's rates allow.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Bounds of a graph's steps, from those of the slots that are due in each.
+// Bounds of a graph's steps, computed from the bounds of the slots due in each.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Which ages `budget:` limits.
+// The ages that `budget:` limits.
 #include <fmt/format.h>
 
 #include <map>

@@ -1,4 +1,4 @@
-// What a plan says of time, memory and traffic before anything is compiled; budgets of it.
+// Time, memory and traffic of a plan before anything is compiled, and their budgets.
 #pragma once
 
 #include <string>
@@ -33,14 +33,13 @@ struct PlanInfo {
 };
 
 /// `budget` of the graph, if it has one. Problems with its `age`: E0208 a key that does nothing,
-/// E0424 a name that is none, E0425 a pair that no data go between, W0120 an entry that limits
-/// nothing.
+/// E0424 an unknown name, E0425 a pair without a path, W0120 an entry without effect.
 PlanInfo info_of(const Plan& plan, const std::optional<BudgetSpec>& budget,
                  Diagnostics& diagnostics);
 /// The comparisons of it.
 std::vector<AgeComparison> compare_ages(const Plan& plan, const std::vector<AgeBudgetSpec>& ages,
                                         Diagnostics& diagnostics);
-/// Through which nodes: "position, speed" or "agent, smooth"; empty if there is none between.
+/// The nodes on the path: "position, speed" or "agent, smooth"; empty if there are none.
 std::string nodes_on_path(const DataAge& age);
 
 /// Rates, slots, buffers.

@@ -1,4 +1,4 @@
-// What goes over the links of a graph with parts.
+// Traffic on the links of a graph with parts.
 #include <fmt/format.h>
 
 #include <cmath>

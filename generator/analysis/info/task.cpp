@@ -1,4 +1,4 @@
-// What a graph's task sees and gives.
+// Inputs and results of a graph's task.
 #include <fmt/format.h>
 
 #include "generator/analysis/info/info.hpp"

@@ -1,4 +1,4 @@
-// Actions against what their actuators take.
+// Checks actions against the ranges of their actuators.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Budgets that name nothing, and buffers that cannot be in the memory they are meant for.
+// Budgets that name nothing, and buffers that do not fit into their memory.
 #include <fmt/format.h>
 
 #include "generator/analysis/plausibility/plausibility.hpp"

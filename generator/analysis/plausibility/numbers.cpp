@@ -1,4 +1,4 @@
-// Times and rates of a size that another unit is meant by.
+// Times and rates whose size suggests another unit.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What leaves a graph without engine while it is safe, and keys of `safety:` that do nothing.
+// Safe outputs of a graph without an engine, and keys of `safety:` that do nothing.
 #include <fmt/format.h>
 
 #include <algorithm>

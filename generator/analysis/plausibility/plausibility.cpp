@@ -63,7 +63,7 @@ void allow_warnings(const std::vector<Spanned<std::string>>& allowed, bool compl
     }
     codes.push_back(code);
   }
-  // What is wrong with `allow` itself is said whatever is allowed.
+  // Problems in `allow` itself cannot be allowed.
   std::erase(codes, "W0108");
   diagnostics.drop_warnings(codes);
 }

@@ -1,4 +1,5 @@
-// What a graph says that is allowed and hardly meant: warnings, and errors where it cannot work.
+// Checks for valid graphs that are probably not what the author meant: warnings, and errors for
+// graphs that cannot work.
 #pragma once
 
 #include <vector>
@@ -16,17 +17,18 @@ struct CheckedGraph {
 };
 
 /// W0101 an action wider than its actuator, W0102 units that differ, W0103 an actuator that nothing
-/// drives, W0104 what reaches nothing, W0105 a port that is connected and not listed, W0106 a
-/// sensor faster than the engine, W0107 an observation of a policy without bounds, W0109 a key that
-/// does nothing in this graph, W0110 what of a task changes nothing, W0111 an output without a
-/// safe value, W0112 nodes without an engine that are faster than a step, W0113 a state
-/// that continues from one episode to the next, W0114 a long delay without a unit, W0115 a rate
-/// that hardly anything has, W0118 a file of actions that does not exist; E0421 a budget for a node
-/// that does not exist, E0423 buffers that do not fit into the RAM.
+/// drives, W0104 an output that reaches nothing, W0105 a port that is connected but not listed,
+/// W0106 a sensor faster than the engine, W0107 an observation of a policy without bounds, W0109 a
+/// key that does nothing in this graph, W0110 a part of a task without effect, W0111 an output
+/// without a safe value, W0112 nodes without an engine that are faster than a step, W0113 a state
+/// that continues from one episode to the next, W0114 a long delay without a unit, W0115 an unusual
+/// rate, W0118 a file of actions that does not exist; E0421 a budget for a node that does not
+/// exist, E0423 buffers that do not fit into the RAM.
 void check_plausibility(const CheckedGraph& checked, Diagnostics& diagnostics);
 
-/// Leaves out the warnings whose codes are in `allow:`. W0108 where that does nothing; `complete`:
-/// whether all warnings of the graph are here, so that one that is missing is not given.
+/// Removes the warnings whose codes are in `allow:`. Reports W0108 for a code that removes nothing.
+/// `complete`: whether all warnings of the graph have been collected, so that a missing one does
+/// not occur.
 void allow_warnings(const std::vector<Spanned<std::string>>& allowed, bool complete,
                     Diagnostics& diagnostics);
 

@@ -1,4 +1,4 @@
-// Sensors: how often they have something new, and whether a policy knows what to expect of them.
+// Sensors: how often they measure, and whether a policy knows their range.
 #include <fmt/format.h>
 
 #include "generator/analysis/plausibility/plausibility.hpp"

@@ -1,4 +1,4 @@
-// Nodes that tick several times within a step of a graph whose world is outside of it.
+// Nodes that tick several times in one step of a graph without an engine.
 #include <fmt/format.h>
 
 #include "generator/analysis/plausibility/plausibility.hpp"

@@ -1,4 +1,4 @@
-// What of a task changes nothing.
+// Parts of a task that have no effect.
 #include <fmt/format.h>
 
 #include "generator/analysis/plausibility/plausibility.hpp"

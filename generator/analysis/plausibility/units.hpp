@@ -15,10 +15,10 @@ struct UnitOfMeasure {
   double scale = 1.0;
 };
 
-/// nullopt for a text that is empty or not understood: nothing can be said of it then.
+/// nullopt if the text is empty or not recognized; it is then not checked.
 std::optional<UnitOfMeasure> unit_of(std::string_view text);
 
-/// Whether both measure the same thing, in whatever scale.
+/// Whether both measure the same quantity, in any scale.
 bool same_quantity(const UnitOfMeasure& a, const UnitOfMeasure& b);
 /// Whether a number means the same in both.
 bool same_scale(const UnitOfMeasure& a, const UnitOfMeasure& b);

@@ -1,4 +1,4 @@
-// What is connected to nothing, and what is connected though it was left out.
+// Ports that are not connected, and connections to ports that were left out.
 #include <fmt/format.h>
 
 #include <map>

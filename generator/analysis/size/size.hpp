@@ -1,4 +1,4 @@
-// What an image for a board takes: flash and RAM of each node, stack, instructions.
+// Resources of an image for a board: flash and RAM of each node, stack, instructions.
 #pragma once
 
 #include <cstdint>

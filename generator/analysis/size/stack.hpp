@@ -5,7 +5,7 @@
 namespace eagerx::gen {
 
 /// The deepest stack of the program in `image`, from its start-up code on. `build` has the .ci
-/// files of what it was compiled from. Whose its calls are is not said yet. Interrupts come on top.
+/// files of its sources. The calls are not assigned to nodes yet. Interrupts need additional stack.
 StackBound stack_bound(const std::string& prefix, const std::string& image,
                        const std::string& build);
 

@@ -268,7 +268,8 @@ class CompileCheck {
     const auto error = ranges::find_if(messages, &CompilerMessage::error);
     if (error == messages.end()) return;
     CompilerMessage message = *error;
-    // What is refused is in the runtime, and the code that asks for it is what the user can change.
+    // The compiler rejects code in the runtime, but the user can only change the code that
+    // instantiates it.
     for (const CompilerMessage& asking : instantiations_in(said)) {
       if (is_of_entity(message.file) || !is_of_entity(asking.file)) continue;
       message.file = asking.file;

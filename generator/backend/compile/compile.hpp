@@ -1,6 +1,6 @@
 // The classes of entities, compiled with this machine's compiler under the rules of boards: no
 // heap, no exceptions, no functions of <cmath>, no double where the graph calculates in float.
-// Every problem has its place in a manifest or a header.
+// Every problem is reported at a place in a manifest or a header.
 #pragma once
 
 #include <string>

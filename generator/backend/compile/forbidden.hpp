@@ -1,5 +1,5 @@
-// Calls in an object file that no board has, and its static data. Inside
-// compile/ only.
+// Calls in an object file to functions that no board has, and its static data. Inside compile/
+// only.
 #pragma once
 
 #include <cstdint>

@@ -22,8 +22,8 @@ struct CompilerMessage {
   std::vector<Place> inlined_at = {};
 };
 std::vector<CompilerMessage> messages_in(std::string_view output);
-/// "gain.hpp:12:5:   required from …": whose code instantiated what an error is in, that nearest to
-/// it first.
+/// "gain.hpp:12:5:   required from …": the code that instantiated the template with the error,
+/// nearest first.
 std::vector<CompilerMessage> instantiations_in(std::string_view output);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// Inputs that go by the clock instead of counting.
+// Inputs that are read by the clock instead of by counting.
 #pragma once
 
 #include <string>

@@ -8,18 +8,19 @@
 
 namespace eagerx::gen {
 
-/// Neighbours of one rate under one condition; what has nothing to do in this program is left out.
+/// Groups consecutive nodes with one rate under one condition; omits nodes without work in this
+/// program.
 View groups_view(const Plan& plan, const ProgramNames& names,
                  const std::vector<std::size_t>& nodes);
 
-/// How a hub takes what nodes of its parts send, of those that it asks for before it needs them.
+/// How a hub reads the messages of its parts' nodes that it requests before it needs them.
 View takes_view(const Plan& plan, const ProgramNames& names);
 
 /// Into `view`: `lag`, how many ticks later the messages of `node` come into this program, or
 /// false.
 void add_lag(const ProgramNames& names, std::size_t node, View& view);
 
-/// How the hub asks for what `node` sends, without waiting for it; false if it waits.
+/// How the hub requests the messages of `node` without waiting; false if it waits.
 View ask_view(const Plan& plan, const ProgramNames& names, std::size_t node);
 
 /// Where a message is written, by an expression that is cheap to repeat.
@@ -33,7 +34,7 @@ MessagePlace message_place(const Plan& plan, const ProgramNames& names, std::siz
 /// The references among them.
 View slots_view(const std::vector<MessagePlace>& places);
 
-/// A message of a channel's ring, by its number and an expression for its value; `raw`: what it was
+/// A message of a channel's ring, by its number and an expression for its value; `raw`: the value
 /// before the processor of its output.
 struct WrittenMessage {
   std::size_t ring = 0;

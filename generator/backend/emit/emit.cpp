@@ -63,7 +63,7 @@ class Emitter {
     const std::size_t at = files_.size();
     add_program(folder, names_, false);
     if (is_vectorized_ && !failed_) {
-      // What the vectorized program reads is no array.
+      // The vectorized program reads this program's members, and cannot read arrays of nodes.
       program_alone_ = std::move(files_[at].text);
       files_.resize(at);
       add_program(folder, ProgramNames(plan_, options_.part), true);

@@ -1,4 +1,4 @@
-// Plan to files. Nothing here has heard of YAML.
+// Turns a plan into files. Nothing here depends on YAML.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct GeneratedFile {
   bool yours = false;  // written once: what is there then is the user's
 };
 
-/// A template besides those of the program.
+/// A template in addition to those of the program.
 struct ExtraTemplate {
   std::string output;  // path in the output
   std::string path;    // of the template
@@ -42,9 +42,9 @@ struct EmitOptions {
                                        // otherwise 0, and it is made of this program's headers
 };
 
-/// A hash of all headers, for EmitOptions::graph_hash: without what targets add, as a part says the
-/// same in every language and on every machine, and without the paths of headers of its own, which
-/// depend on the output's.
+/// A hash of all headers, for EmitOptions::graph_hash. It excludes additions of targets, because a
+/// part sends the same messages in every language and on every machine, and the paths of the
+/// graph's own headers, which depend on the output's path.
 std::uint64_t hash_of(const std::vector<GeneratedFile>& files);
 
 /// The kGraphHash of an emitted program. Nothing if it says none.
@@ -64,7 +64,7 @@ std::vector<UsedClass> used_classes(const Plan& plan);
 /// manifest names and that is not there, or whose path C++ cannot write.
 void check_headers(const Plan& plan, const std::string& here, Diagnostics& diagnostics);
 
-/// Makes all files of a program. `network` is there when the agent is a policy. Problems: E0501 a
+/// Makes all files of a program. `network` is set if the agent is a policy. Problems: E0501 a
 /// template that cannot be read or is wrong.
 std::optional<std::vector<GeneratedFile>> emit(const Plan& plan,
                                                const std::optional<Network>& network,

@@ -21,7 +21,7 @@ class ExpressionWriter {
   ExpressionWriter(std::vector<VariableText> variables, std::string time, Names& locals)
       : variables_(std::move(variables)), time_(std::move(time)), locals_(locals) {}
 
-  /// One number or truth: "Real(2) * abs(theta)". What must stand before it is appended to `lines`.
+  /// A number or a boolean: "Real(2) * abs(theta)". Appends lines that must precede it to `lines`.
   std::string write(const TypedExpression& expression, std::vector<std::string>& lines);
   /// The same with a factor in front.
   std::string write_weighted(const TypedExpression& expression, double weight,

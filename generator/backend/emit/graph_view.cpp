@@ -1,4 +1,4 @@
-// graph.hpp: what a main loop needs to know, domain randomisation, the policy's way in and out.
+// graph.hpp: facts for a main loop, domain randomization, inputs and outputs of the policy.
 #include <fmt/format.h>
 
 #include <algorithm>

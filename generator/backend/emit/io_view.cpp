@@ -1,4 +1,4 @@
-// messages.hpp and io.hpp: what goes in and out of the program and of each node.
+// messages.hpp and io.hpp: inputs and outputs of the program and of each node.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -7,12 +7,12 @@
 
 namespace eagerx::gen {
 
-/// Appends lines of includes and blanks from `begin` on, sorted and without those that nothing in
-/// `text` needs; where they end. Those of C stay as they are, and nothing is appended: some systems
-/// want an order.
+/// Appends the lines of includes and blanks from `begin` on, sorted, without those that `text` does
+/// not need; returns their end. C includes stay unchanged, and nothing is appended: some systems
+/// need their order.
 std::size_t sort_includes(std::string_view text, std::size_t begin, std::string& result);
 
-/// Comments behind code of lines that follow each other begin in one column.
+/// Aligns the comments after code in consecutive lines.
 std::string with_aligned_comments(std::string_view text);
 
 /// Functions of a class with one short statement, or none, are one line. (Of templates only those

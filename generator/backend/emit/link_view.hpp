@@ -7,9 +7,9 @@
 
 namespace eagerx::gen {
 
-/// Into `view`: `link`, what `link_->get()` takes before the message, and a list `sends` of what
-/// `link_->put()` takes for each part that gets it. `channel`: the constant of its channel, or
-/// empty.
+/// Sets in `view`: `link`, the first arguments of `link_->get()`, and a list `sends` of the
+/// arguments of `link_->put()` for each part that receives the message. `channel`: the constant of
+/// its channel, or empty.
 void add_links(const ProgramNames& names, const LinkUse& use, const std::string& channel,
                View& view);
 

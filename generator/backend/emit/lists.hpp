@@ -1,4 +1,4 @@
-// Lists in columns, as clang-format 14 writes those that are too long for a line.
+// Lists in columns, as clang-format 14 lays out lists that are too long for a line.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace eagerx::gen {
 
-/// An initializer or a call: what is before its bracket, its elements, and what is behind it.
+/// An initializer or a call: the text before its bracket, its elements, and the text after it.
 struct Braces {
   std::string_view head, tail;  // with the brackets
   std::vector<std::string_view> elements;
@@ -20,8 +20,8 @@ struct Braces {
 /// Whether clang-format writes the list in columns: not a short one, nor one within another unless
 /// it is long.
 bool has_columns(const Braces& braces);
-/// A list in columns, from column `indent` on: behind its brace or, in fewer lines, below it from
-/// column `deeper` on.
+/// A list in columns, starting at column `indent` after its brace or, if that takes fewer lines,
+/// below it at column `deeper`.
 std::string wrapped_list(const Braces& braces, std::size_t indent, std::size_t deeper);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// Marks that templates leave in a text to say which of its lines are whose.
+// Marks in a rendered template that assign its lines to nodes.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace eagerx::gen {
 
-/// Lines of their own, before the first and behind the last of a node.
+/// Separate lines before the first and after the last line of a node.
 std::string begin_mark(const std::string& node);
 std::string end_mark();
 

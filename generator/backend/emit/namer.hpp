@@ -1,4 +1,4 @@
-// Every name in generated code comes from here: one place for casing and uniqueness.
+// Makes every name in generated code, so that casing and uniqueness are decided in one place.
 #pragma once
 
 #include <map>

@@ -296,7 +296,7 @@ ProgramNames ProgramNames::inside(const Loop& loop) const {
     node.label = loop.labels[m] + "[i]";
     for (std::size_t o = 0; o < node.outputs.size(); ++o)
       node.outputs[o].channel = loop.channels[m][o];
-    // What all chains read is one ring, which may be the first of another loop's array.
+    // A ring that all chains read may be the first of another loop's array.
     for (const std::size_t ring : plan_.nodes[n].rings) use_loop_index(names.rings[ring]);
     for (std::size_t i = 0; i < plan_.nodes[n].receptions.size(); ++i) {
       const std::size_t ring = plan_.nodes[n].receptions[i].ring;

@@ -91,8 +91,8 @@ struct ProgramNames {
   /// This program's use of an output at its links; false if there is none.
   [[nodiscard]] LinkUse links(std::size_t node, std::size_t output) const;
   [[nodiscard]] bool crosses(std::size_t node, std::size_t output) const;
-  /// Whether this program is a hub that asks for the messages of a node before it needs them, and
-  /// for those of any node.
+  /// Whether this program is a hub that requests the messages of a node, or of any node, before it
+  /// needs them.
   [[nodiscard]] bool is_pipelined(std::size_t node) const;
   [[nodiscard]] bool is_pipelined() const;
   /// How many ticks later than `node` sends them its messages come into this program, the first
@@ -100,9 +100,10 @@ struct ProgramNames {
   [[nodiscard]] std::uint64_t lag(std::size_t node) const {
     return part_.is_placed() ? plan_.split->links[part_.index()].lags[node] : 0;
   }
-  /// How many of the nodes before this one it asks for: the node's place in `taken_`.
+  /// The node's place in `taken_`: the number of such nodes before it.
   [[nodiscard]] std::size_t place_in_taken(std::size_t node) const;
-  /// `count` messages of a node, once that many are there and may be in flight.
+  /// An expression for `count` that waits until this number of a node's messages has arrived, if
+  /// they may be in flight.
   [[nodiscard]] std::string awaited(std::size_t node, const std::string& count) const;
   /// Which link, before the arguments of its functions: "part::kVision, "; empty where there is
   /// one.
@@ -132,11 +133,11 @@ struct ProgramNames {
   Part part_;
 };
 
-/// Whether only pictures need what is in a ring; the names of its member and of its node's then
-/// begin with that of the member that has all of it.
+/// Whether only pictures need the messages of a ring. The names of its member and its node's member
+/// then begin with that of the member that contains them.
 bool is_drawn(const Plan& plan, const Ring& ring);
 
-/// vectorized/sampler.hpp: what several episodes begin with.
+/// vectorized/sampler.hpp: initial states of several episodes.
 View sampler_view(const Plan& plan, const ProgramNames& names);
 
 /// The view of the templates of one program.
@@ -152,11 +153,12 @@ View io_view(const Plan& plan, const ProgramNames& names, const IncludePaths& pa
 bool guards_outputs(const Plan& plan, const ProgramNames& names);
 /// Spaces and `safety:`.
 View limits_view(const Plan& plan, const ProgramNames& names);
-/// The header of a library: what a main loop of your own needs to know.
+/// The header of a library: facts for your own main loop.
 View library_view(const Plan& plan, bool has_policy, bool has_memory);
 /// Of the main loops of packages, and of the two functions that their users write.
 View loop_view(const Plan& plan, bool has_policy, bool has_memory);
-/// The class of the graph's task, and what other files say of its outputs: false without one.
+/// The class of the graph's task, and references to its outputs in other files; false without a
+/// task.
 View task_view(const Plan& plan);
 View outcome_view(const Plan& plan, const ProgramNames& names);
 /// `stages:` of the task: false without them.

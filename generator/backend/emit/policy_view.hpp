@@ -26,7 +26,7 @@ class PolicyTables {
 
   [[nodiscard]] bool is_stored() const { return kind_ == Kind::stored; }
 
-  /// What the view has in the place of a text, which is made only if it is needed.
+  /// The view's replacement for a text. `make` is called only if the text is needed.
   template <class Make>
   std::string text(const Make& make) {
     if (kind_ == Kind::text) return make();
@@ -45,7 +45,7 @@ class PolicyTables {
 
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
   std::string take_bytes() { return std::move(bytes_); }
-  /// `rendered` with the texts in the places of their marks.
+  /// `rendered` with the marks replaced by their texts.
   [[nodiscard]] std::string put_blocks(const std::string& rendered) const;
 
  private:

@@ -1,4 +1,4 @@
-// program.map: what of program.hpp is whose.
+// program.map: assigns the lines of program.hpp to nodes.
 #include <runtime/host/base/hash.hpp>
 
 #include "generator/backend/emit/names.hpp"
@@ -8,12 +8,12 @@
 namespace eagerx::gen {
 namespace {
 
-/// Where the comments of generated code can be found again: these name elements only, so that a
-/// comment in the graph changes nothing but this.
+/// Places in the graph of the elements that comments of generated code name. The comments contain
+/// names only, so that a comment added to the graph changes only this file.
 std::vector<ProgramMap::Place> places_of(const Graph& graph) {
   std::vector<ProgramMap::Place> places;
   const auto add = [&](const Span& span, const std::string& element) {
-    // What is in a composite is written in another file.
+    // Elements of a composite are in another file.
     if (span.line > 0 && span.file == graph.span.file)
       places.push_back({span.line, span.column, element});
   };

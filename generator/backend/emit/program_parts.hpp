@@ -42,7 +42,7 @@ struct EmitRate {
   std::string counter;  // "n30Hz_"
 };
 
-/// An input. What it does not need is empty.
+/// An input. Unneeded names are empty.
 struct EmitInput {
   std::string processor;     // type
   std::string cursor;        // member: which messages it has received

@@ -1,4 +1,4 @@
-// Mustache, with its silent failures made loud.
+// Mustache whose silent failures are errors.
 #pragma once
 
 #include <kainjow/mustache.hpp>
@@ -38,10 +38,10 @@ inline View text_or_false(const std::string& text) {
 View indented();
 
 /// Renders the template file for the file `output`; `{{>NAME}}` includes NAME.mustache next to it.
-/// `{{NAME}}` is escaped as the language of `output` wants it at that place (quote/language.hpp);
-/// `{{{NAME}}}` is written as it is, for lines and tables that the generator itself made. A
-/// template that cannot be read, does not parse, names a key that the view does not have, or has a
-/// value where it cannot stand is an error (E0501).
+/// `{{NAME}}` is escaped for its place in the language of `output` (quote/language.hpp);
+/// `{{{NAME}}}` is not escaped, for lines and tables that the generator itself made. A template
+/// that cannot be read, does not parse, names a key that the view lacks, or has a value in an
+/// invalid place is an error (E0501).
 std::optional<std::string> render_file(const std::string& path, const std::string& output,
                                        const View& view, Diagnostics& diagnostics);
 

@@ -127,7 +127,7 @@ class Finder {
                     &b = plan_.nodes[first].receptions[input];
     const std::size_t sources[] = {graph_.nodes[node].inputs[input].source_node,
                                    graph_.nodes[first].inputs[input].source_node};
-    // What comes from a part is waited for node by node.
+    // The program waits for each node of another part separately.
     if (sources[0] != sources[1] &&
         (is_pipelined(plan_, part_, sources[0]) || is_pipelined(plan_, part_, sources[1])))
       return false;

@@ -1,4 +1,4 @@
-// Chains of nodes that are equal but for what they are connected to, one after the other: one loop.
+// Consecutive chains of nodes that differ only in their connections become one loop.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ struct Repeats {
   std::vector<std::vector<std::size_t>> arrays;
 };
 
-/// Twelve equal joints have one function. `owners`: by node, the first one with an Io like its own.
-/// Nodes of engines, with processors, delays, resets of their own or a link are left as they are.
+/// Twelve equal joints share one function. `owners`: by node, the first one with the same Io.
+/// Excludes nodes of engines, and nodes with processors, delays, their own resets or a link.
 Repeats find_repeats(const Plan& plan, Part part, const std::vector<std::size_t>& owners);
 
 }  // namespace eagerx::gen

@@ -8,7 +8,7 @@
 
 namespace eagerx::gen {
 
-/// The lines ("line") that set `states.FIELD` from `random`; `constant`: what its range is called.
+/// The lines ("line") that set `states.FIELD` from `random`; `constant`: the name of its range.
 View sample_lines(const Random& random, const Space& space, const std::string& field,
                   const std::string& constant);
 

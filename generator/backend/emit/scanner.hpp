@@ -18,7 +18,7 @@ inline std::size_t columns_of(std::string_view text) {
   }));
 }
 
-/// Walks through code: where brackets are open, and what is inside of a literal.
+/// Scans code: tracks open brackets and literals.
 class Scanner {
  public:
   explicit Scanner(std::string_view line) : line_(line) {}
@@ -60,7 +60,7 @@ class Scanner {
   bool started_ = false;
 };
 
-/// Where the comment behind code begins, with the blanks before it.
+/// Start of the comment after code, including the blanks before it.
 inline std::size_t find_comment(std::string_view line) {
   for (Scanner scan(line); scan.next();) {
     if (!scan.in_literal() && line.substr(scan.at()).starts_with("  // ")) return scan.at();

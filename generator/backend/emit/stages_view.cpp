@@ -1,4 +1,4 @@
-// Stages of a training, which only libraries of environments know.
+// Stages of a training. Only libraries of environments contain them.
 #include <fmt/format.h>
 
 #include <limits>

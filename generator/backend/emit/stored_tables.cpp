@@ -1,4 +1,4 @@
-// Tables of a policy as the bytes that the program has of them, instead of as text.
+// Tables of a policy as the bytes that the program stores, instead of as text.
 #include <fmt/format.h>
 
 #include <bit>

@@ -1,4 +1,4 @@
-// task.hpp: reward, end and success of a step; and what the other files say of it.
+// task.hpp: reward, end and success of a step; and references to the task in other files.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -13,7 +13,7 @@ std::string window_type(const Plan& plan, std::size_t node, std::size_t input,
 /// The constructor arguments of that window at a tick: "{smooth_filtered_, n30Hz_}".
 std::string window_argument(const Plan& plan, const ProgramNames& names, std::size_t node,
                             std::size_t input);
-/// Whether these ask what is due in the slot.
+/// Whether these check the rates due in the slot.
 bool asks_what_is_due(const Plan& plan, std::size_t node, std::size_t input);
 /// Where message `seq` is written: "smooth_filtered_[0]".
 std::string ring_place(const Plan& plan, const ProgramNames& names, std::size_t ring,

@@ -1,4 +1,4 @@
-// Lines of generated C++ as a person would break them.
+// Breaks lines of generated C++ as a person would.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace eagerx::gen {
 
-/// `text` with lines of at most 100 columns where they can be broken: comments between words, code
-/// where the fewest brackets are open. Literals, preprocessor
-/// lines and what is between `clang-format off` and `on` stay as they are.
+/// `text` with lines of at most 100 columns if possible: breaks comments between words, and code
+/// where the fewest brackets are open. Literals, preprocessor lines and text between `clang-format
+/// off` and `on` are unchanged.
 std::string wrapped(std::string_view text);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// Long expressions of generated C++, broken behind their operators.
+// Breaks long expressions of generated C++ after their operators.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +7,9 @@
 
 namespace eagerx::gen {
 
-/// `a = b + c;` over several lines: operands below each other behind the `=`, or, where that is too
-/// narrow, below; arguments behind their bracket or below. `line` begins with `indent` blanks.
-/// Empty for what is no such statement.
+/// `a = b + c;` over several lines: operands aligned after the `=` or, if that is too narrow, on
+/// the next line; arguments after their bracket or on the next line. `line` begins with `indent`
+/// blanks. Empty for other statements.
 std::string wrapped_assignment(std::string_view line, std::size_t indent);
 
 }  // namespace eagerx::gen

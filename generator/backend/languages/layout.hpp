@@ -1,5 +1,5 @@
-// A part of a placed graph as programs in other languages than C++ need it: its messages, the order
-// on its line, its nodes and when they run.
+// Layout of a part of a placed graph for programs in languages other than C++: its messages, their
+// order on the line, its nodes and when they run.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +48,7 @@ inline std::uint64_t hash_of_part(std::uint64_t graph, std::string_view part) {
   return host::fnv1a(part, graph);
 }
 
-/// Reports what of a part only a program in C++ can do: E0350.
+/// Reports features of a part that only C++ supports: E0350.
 void check_languages(const Plan& plan, std::size_t part, Diagnostics& diagnostics);
 
 /// Its file name next to the program of a part.

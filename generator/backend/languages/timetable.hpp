@@ -1,4 +1,4 @@
-// Messages and turns of a part as tables, for languages whose programs are compiled with them.
+// Messages and turns of a part as tables, for languages that compile them into the program.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
 // program.map: which lines and members of a generated program.hpp belong to which node. `emit`
-// writes it next to program.hpp, and `size` reads it; only this file knows its form.
+// writes it next to program.hpp, and `size` reads it. Only this file knows its format.
 #pragma once
 
 #include <array>

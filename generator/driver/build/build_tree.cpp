@@ -249,7 +249,8 @@ class Builder {
     const Digests digests(tree_.build);
     std::vector<std::string> command = {"cmake", "--build", tree_.build, "--parallel",
                                         std::to_string(std::thread::hardware_concurrency())};
-    // What changed since then may seem to be older than what was built from what it was.
+    // A file changed since then may have an older time stamp than the output of its previous
+    // version.
     if (lock.last_build_is_to_come() || digests.have_unseen_change(lock.last_build()))
       command.emplace_back("--clean-first");
     if (!cmake_target.empty()) command.insert(command.end(), {"--target", cmake_target});
@@ -259,7 +260,7 @@ class Builder {
   }
 
  private:
-  /// Keeps what was compiled: Ninja lists it, and for Make each object has a file next to it.
+  /// Records the compiled files. Ninja lists them; for Make each object has a file next to it.
   void keep(const Digests& digests) {
     const bool is_ninja = !text_of(fs::path(tree_.build) / "build.ninja").empty();
     const auto listed = is_ninja ? run_process({"ninja", "-C", tree_.build, "-t", "deps"})

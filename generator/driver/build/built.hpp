@@ -1,4 +1,4 @@
-// From a graph to programs that are built.
+// Builds the programs of a graph.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ struct Generated {
 };
 
 /// Reads, checks and writes the graph of `options`. From then on until this process ends, or
-/// becomes what was built, no other one of eagerx-gen writes or builds there. Nothing if there is a
-/// problem, which is in `run`; then `code` is the least that the exit code may be.
+/// executes the built program, no other eagerx-gen writes or builds there. nullopt after a problem,
+/// which is in `run`; `code` is then the minimum exit code.
 std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options, int& code);
 
 /// A program's description for its observers.
@@ -35,13 +35,14 @@ struct ProgramFacts {
 /// problem, which is in `run`.
 std::optional<ProgramFacts> facts_of_program(Run& run, const GraphOptions& options);
 
-/// Compiles the classes of the graph's entities with this machine's compiler, as boards would: the
-/// whole program, also of a split graph. What is wrong is in `diagnostics` (check_entities()).
+/// Compiles the classes of the graph's entities with this machine's compiler under the rules of
+/// boards: the whole program, also for a split graph. Adds problems to `diagnostics`
+/// (check_entities()).
 void compile_entities(Run& run, const std::vector<const Target*>& targets,
                       Diagnostics& diagnostics);
 
-/// build_tree() of a graph's program for `target`. What does not build because of the class of an
-/// entity is reported with its place in that entity, as compile_entities() reports it.
+/// build_tree() of a graph's program for `target`. Reports build errors in the class of an entity
+/// at their place in that entity, like compile_entities().
 bool build_program(Run& run, const Tree& tree, const Target& target, const std::string& name,
                    bool quiet, const std::string& cmake_target = {});
 
@@ -58,10 +59,10 @@ struct BuiltProgram {
 std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions options, int& code,
                                                      std::vector<std::string>* to_run = nullptr);
 
-/// generate_graph(), in a folder of its own for each target that is not this machine, and
-/// build_tree() of every program, of a graph that make() has read. Of a placed graph the parts come
-/// first. `to_run`: the last program is to be run with these options, E0515 if nothing here can,
-/// E0516 an option that it does not take; those that are left are what it gets.
+/// generate_graph(), in a separate folder for each target that is not this machine, and
+/// build_tree() of every program, for a graph that make() has read. For a placed graph, the parts
+/// come first. `to_run`: the options of the last program, if it will be run; E0515 if nothing here
+/// can run it, E0516 for an option that it does not have. The remaining options are passed to it.
 std::optional<std::vector<BuiltProgram>> build_made_graph(
     Run& run, GenerateOptions options, int& code, std::vector<std::string>* to_run = nullptr);
 
@@ -76,7 +77,7 @@ bool is_compiled(const Target& target);
 /// Programs started from now on refuse to run if one was built from another graph.
 void expect_graph(const BuiltProgram& program);
 
-/// Becomes the program, or what starts it, for as long as it takes; `words` are its own options.
+/// Executes the program, or the command that starts it; `words` are the program's own options.
 int exec_built(const Run& run, const BuiltProgram& program, const std::vector<std::string>& words);
 
 /// The file of a target's program in a build folder.

@@ -7,9 +7,9 @@
 
 namespace eagerx::gen {
 
-/// The JSON of eagerx_describe() as far as it is known without compiling: the names, types, shapes
-/// and bounds of observations, actions and states, and whether there is a success. Empty for
-/// observations with `window: 0`, whose most messages only the plan knows.
+/// The part of eagerx_describe()'s JSON that is known without compiling: the names, types, shapes
+/// and bounds of observations, actions and states, and whether the task defines success. Empty for
+/// observations with `window: 0`, whose maximum number of messages only the plan knows.
 std::string description_of(const Graph& graph);
 
 }  // namespace eagerx::gen

@@ -16,11 +16,11 @@ class Digests {
   /// Of a build folder, as they were kept there.
   explicit Digests(std::string build);
 
-  /// Whether one of the files has other contents and a time that no build tool notices: not behind
+  /// Whether one of the files has changed without a time stamp that build tools notice, one after
   /// `last_build`.
   [[nodiscard]] bool have_unseen_change(const timespec& last_build) const;
-  /// Those of all files that were compiled by now, as a text to keep. `listed`: what
-  /// `ninja -t deps` prints.
+  /// The digests of all files compiled so far, as text to store. `listed`: the output of `ninja -t
+  /// deps`.
   [[nodiscard]] std::string now(const std::string& listed) const;
 
  private:

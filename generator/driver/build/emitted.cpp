@@ -49,8 +49,8 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
       if (!add(Part::placed(part), parts[part].name, hash)) return false;
     return true;
   };
-  // What the hash is made of comes first, with 0 in its place. Where a part runs, and in which
-  // language it is written, changes nothing of what it says.
+  // Emits the files once with 0 as the hash, and hashes them. Target and language of a part do not
+  // affect the hash, as they do not change its messages.
   auto& parts = run.graph->placement->parts;
   const std::vector<PlacedPart> placed = parts;
   static const Target kAnywhere{};

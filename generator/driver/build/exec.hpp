@@ -1,4 +1,4 @@
-// Commands that are the work of a generated program.
+// Commands whose work a generated program does.
 #pragma once
 
 #include <string>

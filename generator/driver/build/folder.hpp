@@ -1,4 +1,4 @@
-// A folder whose files are read, written and removed without ever leaving it.
+// A folder whose files are read, written and removed without following a path out of it.
 #pragma once
 
 #include <cerrno>
@@ -33,8 +33,8 @@ class Descriptor {
 /// line breaks in such a path: lists of them have a line for each.
 bool is_below(std::string_view path);
 
-/// Paths are below the folder (is_below()). The folders in them must not be links, and what they
-/// name is never reached through one. A function that fails leaves its reason in `errno`.
+/// Paths are below the folder (is_below()). The folders in them must not be links, and links are
+/// never followed. A function that fails sets `errno`.
 class Folder {
  public:
   enum class Kind { nothing, file, folder, other };
@@ -44,9 +44,9 @@ class Folder {
 
   /// Waits until no other process has it, at most 10 s; not if this one keeps it.
   [[nodiscard]] bool lock() const;
-  /// Of what the path names; `other`: a link, a device, or what may not be looked at.
+  /// The kind of the path's entry; `other`: a link, a device, or an entry that cannot be inspected.
   [[nodiscard]] Kind kind(const std::string& path) const;
-  /// The text of a file; nullopt if there is none, or none that may be read.
+  /// The text of a file; nullopt if it is missing or cannot be read.
   [[nodiscard]] std::optional<std::string> read(const std::string& path) const;
   /// Makes a file that is not there yet, and the folders that it is in.
   [[nodiscard]] bool write_new(const std::string& path, std::string_view text) const;
@@ -54,7 +54,7 @@ class Folder {
   [[nodiscard]] bool rename(const std::string& from, const std::string& to) const;
   /// Removes a file or link, and the folders of its path that are empty then.
   [[nodiscard]] bool remove(const std::string& path) const;
-  /// Removes a folder, and those that it is in, as long as they are empty.
+  /// Removes a folder, and its parents while they are empty.
   void remove_empty(std::string path) const;
   /// Names in a folder below this one, sorted.
   [[nodiscard]] std::vector<std::string> names(const std::string& path) const;
@@ -71,15 +71,16 @@ class Folder {
   Descriptor self_;
 };
 
-/// Folders that no other process writes or builds in until this one ends or becomes what it has
-/// built: no process gets a program built with the options of another.
+/// Locks folders, so that no other process writes or builds there until this one ends or executes
+/// the built program: no process gets a program built with the options of another.
 class KeptFolders {
  public:
-  /// Makes the folder, and waits for it for ten minutes, as builds take; `waiting` is called once
-  /// if that takes a second. False: errno says why, EWOULDBLOCK that somebody has it all the time.
+  /// Creates the folder, and waits up to ten minutes for its lock, because builds take long; calls
+  /// `waiting` once after a second. False: see errno; EWOULDBLOCK if another process still has the
+  /// lock.
   static bool keep(const std::string& path, const std::function<void()>& waiting);
-  /// For a program that this one becomes and that opens what was built itself: their descriptors
-  /// stay open in it. "5,7"
+  /// For a program that this process executes and that opens the built files itself: keeps the
+  /// descriptors open in it. "5,7"
   static std::string hand_on();
 
  private:

@@ -1,4 +1,4 @@
-// A project of CMake around a library that is cut out of a graph, and its program.
+// A CMake project for a library that is cut out of a graph, and for its program.
 #pragma once
 
 #include <optional>

@@ -25,8 +25,8 @@ struct Package {
 /// Those there are, by name.
 std::vector<std::string> names_of_packages(const Run& run);
 
-/// Those that the command line names. Problems: E0502 there is none, E02xx its package.yaml is
-/// wrong.
+/// The packages that the command line names. Problems: E0502 an unknown package, E02xx errors in
+/// its package.yaml.
 std::vector<Package> read_packages(Run& run, const GenerateOptions& options);
 
 /// Whether the graph's name is free there: E0504.
@@ -45,8 +45,9 @@ void check_for_packages(Run& run, const GenerateOptions& options);
 std::vector<ExtraTemplate> templates_of(const Run& run, const GenerateOptions& options,
                                         const std::vector<Package>& packages);
 
-/// With --library, puts the graph's headers where each package has them, and nowhere else if the
-/// output is only packages. `others`: what is in its place.
+/// With --library, puts the graph's headers into their place in each package, and nowhere else if
+/// the output consists of packages only. `others`: the templates of packages, whose files are in
+/// place already.
 void place_headers(const Run& run, const GenerateOptions& options,
                    const std::vector<Package>& packages, const std::vector<ExtraTemplate>& others,
                    std::vector<GeneratedFile>& files);

@@ -9,8 +9,8 @@
 
 namespace eagerx::gen {
 
-/// Gives the part of `options` the language that they name, if they name one. False: E0307 there is
-/// no such part, E0502 no such language, E0336 what does not go together with `--part`.
+/// Sets the language of the part in `options`, if they name one. False: E0307 an unknown part,
+/// E0502 an unknown language, E0336 an option that conflicts with `--part`.
 bool choose_language(Run& run, const GenerateOptions& options);
 
 /// Leaves the files of one part, in the folder itself.

@@ -1,4 +1,4 @@
-// How far something is that takes long.
+// Progress of a long operation.
 #pragma once
 
 #include <chrono>
@@ -6,8 +6,8 @@
 
 namespace eagerx::gen {
 
-/// Lines on the standard error, on a terminal one over the other. What is done within half a second
-/// is not printed.
+/// Lines on the standard error; on a terminal, each replaces the previous one. Operations shorter
+/// than half a second print nothing.
 class Progress {
  public:
   Progress(std::string what, bool quiet);

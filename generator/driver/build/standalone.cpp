@@ -255,7 +255,7 @@ class Carrier {
         refuse_outside(line, *path);
         return std::nullopt;
       }
-      // What programs of targets include is there already.
+      // Headers that programs of targets include are already copied.
       if (!line.file.starts_with(kHeaderFolder) &&
           (relative->starts_with("targets/") || is_in_package(*path)))
         return std::nullopt;

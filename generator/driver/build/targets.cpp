@@ -92,7 +92,7 @@ void check_target(Run& run, const Target& target) {
         .help = "for boards an agent is `zero`, `random` or `{policy: FILE}`";
   }
   if (!split) return;
-  // What can be a part on Linux can be what they are linked with, too.
+  // A target that can run a part on Linux can also run the hub.
   if (target.system == "linux" && !target.partner.empty()) return;
   const Placement& placement = *run.graph->placement;
   const bool is_linux = target.system == "linux";

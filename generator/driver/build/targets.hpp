@@ -1,4 +1,4 @@
-// The targets that a graph is made for, and whether it can be.
+// The targets of a graph, and whether it can run on them.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace eagerx::gen {
 std::uint64_t warnings_in(const Diagnostics& diagnostics);
 
 /// The folder for these targets, this variant, engine and policy: "pendulum-mps2-an386-light" of
-/// "pendulum", so that two in turn do not write over each other and nothing is built twice.
+/// "pendulum", so that alternating commands do not overwrite each other's output or rebuild it.
 std::string folder_for_options(std::string folder, const GraphOptions& options);
 
 /// Those of the command line. Problems: E0316 unknown, E0335, E0337, E0341 and those of

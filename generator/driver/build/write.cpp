@@ -21,8 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kList = "eagerx-gen.files";
-// What is about to be put into its place, and `journal`, which says where. With that file the new
-// output is complete; without it the old one stays.
+// Files that are about to be moved into place, and `journal`, which lists their places. If the
+// journal exists, the new output is complete; otherwise the old output stays.
 constexpr const char* kStage = ".eagerx-gen.new";
 constexpr const char* kJournal = ".eagerx-gen.new/journal";
 constexpr const char* kJournalBegun = ".eagerx-gen.new/journal.begun";
@@ -165,7 +165,7 @@ class Writer {
         result_.removed += folder_.remove(path) ? 1U : 0U;  // or it went before
         continue;
       }
-      // What is not in the stage any more is in its place already.
+      // A file that is no longer in the stage has already been moved.
       if (folder_.kind(staged) == Folder::Kind::nothing) continue;
       if (!folder_.rename(staged, path)) return refuse(path, reason(path));
       ++result_.written;

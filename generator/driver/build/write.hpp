@@ -1,4 +1,4 @@
-// Generated files on disk: all or nothing, and untouched where nothing changed.
+// Writes generated files to disk: all or none of them, and only those that changed.
 #pragma once
 
 #include <string>
@@ -13,18 +13,18 @@ struct WriteResult {
   std::size_t kept = 0;  // that are the user's
 };
 
-/// False if a file that the command line names as an output is also read, is another output, or one
-/// of `files`, which are about to be written below `folder`: E0906. All that writes asks it.
+/// False with E0906 if an output on the command line is also read, is another output, or is one of
+/// `files`, which will be written below `folder`. Every writer calls it.
 bool are_different(const std::string& folder, const std::vector<GeneratedFile>& files,
                    Diagnostics& diagnostics);
 
-/// Writes `files` below `folder`. Every file is written under a temporary name first, then a
-/// journal says where it belongs: from that moment the output is the new one, and a run that is
-/// killed while it renames is completed by the next one. Until then, or if the disk is full, the
-/// previous output stays as it was. Links below `folder` are not followed. Files of an earlier run
-/// that are no longer made are removed; the list is kept in `eagerx-gen.files`. A file that is not
-/// in that list is left alone, and so is one with `yours` that is there. Problems: E0901, E0903 a
-/// file of somebody else, E0906 a file that is read, or two outputs that are one file; nullopt.
+/// Writes `files` below `folder`. Writes every file under a temporary name first, then a journal of
+/// the final names. From that moment the new output counts: if a run is killed while it renames
+/// files, the next run completes it. Until then, or if the disk is full, the previous output stays.
+/// Links below `folder` are not followed. Files of an earlier run that are no longer generated are
+/// removed, using the list in `eagerx-gen.files`. Files that are not in that list, and existing
+/// files with `yours`, are left alone. nullopt after a problem: E0901, E0903 a file that eagerx-gen
+/// did not write, E0906 an output that is read or that is the same file as another output.
 std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files,
                                        Diagnostics& diagnostics);
 

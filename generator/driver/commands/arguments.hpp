@@ -18,7 +18,7 @@ using Arguments = std::vector<Argument>;
 Arguments joined(std::initializer_list<Arguments> parts);
 
 Argument graph(GraphOptions& options);
-/// Variant, engine, scalar, targets and split, as against what the graph says.
+/// Variant, engine, scalar, targets and split, which override the graph.
 Arguments selection(GraphOptions& options);
 Argument split(GraphOptions& options);
 Argument variant(GraphOptions& options);
@@ -42,7 +42,8 @@ Argument handed_on(const std::string& name, std::string about, std::string type,
 /// The problem with more than one `--target`, or "".
 std::string check_one_target(const GraphOptions& options);
 
-/// The command that `table` describes, whose options live as long as it and are at first `initial`.
+/// The command that `table` describes. Its options live as long as the command, and start as
+/// `initial`.
 template <class Options>
 Command with_options(Command (*table)(Options& options), Options initial = {}) {
   auto options = std::make_shared<Options>(std::move(initial));

@@ -1,4 +1,4 @@
-// eagerx-gen build: from a graph to programs that are built.
+// eagerx-gen build: builds the programs of a graph.
 #include <fcntl.h>
 #include <fmt/format.h>
 
@@ -174,7 +174,7 @@ bool build_program(Run& run, const Tree& tree, const Target& target, const std::
   const auto is_code = [](const Diagnostic& each) {
     return each.code == "E0510" || each.code == "E0511";
   };
-  // What breaks a promise builds for Linux, but has no place in an image.
+  // Code that breaks a promise of the runtime builds for Linux, but not for a board.
   const auto is_promise = [&](const Diagnostic& each) {
     return each.code == "E0512" && target.system.empty();
   };

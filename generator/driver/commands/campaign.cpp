@@ -1,4 +1,4 @@
-// eagerx-gen campaign: many runs are the work of eagerx-campaign (targets/environments/campaign).
+// eagerx-gen campaign: many runs of a graph, by eagerx-campaign (targets/environments/campaign).
 #include "targets/environments/options/campaign.hpp"
 
 #include "generator/driver/commands/arguments.hpp"

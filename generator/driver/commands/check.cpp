@@ -1,4 +1,4 @@
-// eagerx-gen check: all that is wrong with a graph, and with the code of its entities.
+// eagerx-gen check: reports all problems of a graph and of the code of its entities.
 #include <fmt/format.h>
 
 #include <cerrno>

@@ -1,4 +1,4 @@
-// Everything that is wrong with a graph besides its own text.
+// Problems of a graph that are not in its own text.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace eagerx::gen {
 
-/// The targets of a graph that was made, once there is what is generated for them: with `--of` the
-/// nodes that are cut out are in its place. Nothing if there is a problem. `output`: a folder from
-/// which the headers of entities must have a path that an include can have; empty: none.
+/// The targets of a graph, after checking what is generated for them: with `--of`, the cut-out
+/// nodes replace the graph. nullopt after a problem. `output`: a folder from which the headers of
+/// entities must have a path that is valid in an include; empty: none.
 std::optional<std::vector<const Target*>> check_targets(Run& run, const GraphOptions& options,
                                                         const std::string& output = {});
 

@@ -1,5 +1,5 @@
-// The commands that make and run programs. Each is in the file of its name, with its options and
-// what it does.
+// The commands that make and run programs. Each has a file of its name, with its options and its
+// work.
 #pragma once
 
 #include <vector>

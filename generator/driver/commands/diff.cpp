@@ -1,4 +1,4 @@
-// eagerx-gen diff: how two graphs differ by meaning.
+// eagerx-gen diff: differences in the meaning of two graphs.
 #include "generator/analysis/compare/compare.hpp"
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/commands/commands.hpp"

@@ -1,4 +1,4 @@
-// eagerx-gen docs: the page of the reference that says most of a word, in a browser.
+// eagerx-gen docs: opens the page of the reference that fits a word best in a browser.
 #include <fmt/format.h>
 
 #include <array>

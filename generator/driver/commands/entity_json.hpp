@@ -17,7 +17,7 @@ Json target_json(const Target& target);
 /// `{"entities": […], "targets": […]}`, by their ids.
 Json library_json(const Library& library);
 
-/// "node", "engine node", …; a node with targets is a reset node, whatever it is otherwise.
+/// "node", "engine node", …; a node with targets is always a reset node.
 std::string_view kind_of(const Entity& entity);
 
 /// The type of a parameter as messages call it: "float", "choice", "object of".

@@ -16,7 +16,8 @@ namespace eagerx::gen {
 struct Helper {
   const char* program;
   const char* checker;  // looks at the options with --check, before anything is built
-  /// Says at its place what the checker has found, if it knows one: an exit code, or else kDone.
+  /// Reports the checker's problem at its place, if known, and returns an exit code; otherwise
+  /// kDone.
   std::function<int(const ProcessResult& checked)> explain = {};
   /// Whether the checker also takes `--describes` with description_of() the graph.
   bool looks_at_graph = false;

@@ -1,4 +1,4 @@
-// eagerx-gen explain: what a code means, or which codes there are.
+// eagerx-gen explain: explains a code, or lists all codes.
 #include <fmt/format.h>
 
 #include <array>

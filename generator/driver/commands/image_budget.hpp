@@ -1,4 +1,4 @@
-// Whether an image is within its graph's `budget:`.
+// Checks an image against its graph's `budget:`.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@ struct MeasuredImage {
   const SizeReport& report;
   std::optional<Json> baseline;  // an earlier report: who grew
   std::string what;              // "the image"
-  // Nodes and shared parts that may be in it, of a program that was just built: what has a budget
-  // and lies elsewhere is left out, and so are instructions. Nothing: all have to be there.
+  // For a program that was just built: the nodes and shared parts that may be in the image. Budgets
+  // of other nodes, and of instructions, are not checked. nullopt: the image must have all nodes.
   std::optional<std::vector<std::string>> parts;
 };
 
@@ -25,14 +25,14 @@ struct MeasuredImage {
 void check_image_budget(const MeasuredImage& image, const BudgetSpec& budget,
                         Diagnostics& diagnostics);
 
-/// Measures the programs for boards that were built and checks them. What is checked only by
-/// `eagerx-gen size` is said on the standard error.
+/// Measures and checks the built programs for boards. Names limits that only `eagerx-gen size`
+/// checks on the standard error.
 void check_built_budget(Run& run, const GraphOptions& options,
                         const std::vector<BuiltProgram>& programs);
 
-/// An image with the library of `--of`, or the library alone, against the budget of its graph: of
-/// the nodes those that the library has. It has no slots, so instructions are not checked, which is
-/// said on the standard error.
+/// Checks an image with the library of `--of`, or the library alone, against the budget of its
+/// graph, for the nodes in the library. A library has no slots, so instructions are not checked,
+/// which is reported on the standard error.
 void check_library_budget(Run& run, const GraphOptions& options, MeasuredImage image);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// The note in an image: whether it is of the graph that it is started for, and its board.
+// Reads the note in an image: whether the image belongs to the given graph, and its board.
 #pragma once
 
 #include <cstdint>

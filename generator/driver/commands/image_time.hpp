@@ -1,4 +1,4 @@
-// The time of an image: the bound of its cycles on its board, against the rates of its graph.
+// Compares the bound of an image's cycles on its board with the rates of its graph.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ Machine machine_of(const Target& target);
 std::optional<Machine> machine_of_image(Run& run, const LibraryOptions& options,
                                         const std::string& image);
 
-/// The bounds of an image, and what they mean for its graph.
+/// The bounds of an image, and the load of its graph's slots.
 struct ImageTime {
   BoundReport bound;
   std::optional<StepBounds> steps;  // with a graph
@@ -29,7 +29,7 @@ struct ImageTime {
 std::optional<ImageTime> time_of_image(Run& run, const LibraryOptions& options,
                                        const std::string& image, bool of_graph,
                                        Diagnostics& diagnostics);
-/// Whether the graph has all nodes that lie in an image: E0361.
+/// Whether the graph has all nodes of an image: E0361.
 bool check_image_nodes(const std::string& image, const std::vector<std::string>& nodes,
                        const Graph& graph, Diagnostics& diagnostics);
 

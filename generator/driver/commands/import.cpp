@@ -1,4 +1,4 @@
-// eagerx-gen import: a file of EAGERx, rewritten as a graph.
+// eagerx-gen import: converts a file of EAGERx into a graph.
 #include <fmt/format.h>
 
 #include <algorithm>

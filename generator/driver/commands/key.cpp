@@ -1,4 +1,4 @@
-// eagerx-gen key: what two machines trust each other by.
+// eagerx-gen key: makes keys by which two machines trust each other.
 #include <fmt/format.h>
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// Kinds of `eagerx-gen new`: one folder of templates a kind, in templates/new.
+// Kinds of `eagerx-gen new`: each has a folder of templates in templates/new.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct Kind {
 /// Names of all kinds, sorted; empty if the templates are not found.
 std::vector<std::string> kinds_of_new();
 
-/// One kind. Problems: E0301 there is none, E02xx its kind.yaml is wrong.
+/// Reads a kind. Problems: E0301 an unknown kind, E02xx errors in its kind.yaml.
 std::optional<Kind> read_kind(const std::string& name, SourceMap& sources,
                               Diagnostics& diagnostics);
 

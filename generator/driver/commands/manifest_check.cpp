@@ -34,7 +34,7 @@ void name_other_file(Diagnostic& problem, IsHere&& is_here, const SourceMap& sou
 /// Takes the problems in the manifest's own file, with places in `into`.
 void take(const Diagnostics& found, const SourceMap& sources, const fs::path& path, FileId file,
           Diagnostics& into) {
-  // What depends on values and rates that a graph gives is none of the manifest's problems.
+  // Problems with values and rates that a graph gives are not the manifest's.
   constexpr std::array kOfValues = {"E0306", "E0312", "E0322", "E0326", "E0327", "E0328"};
   const auto is_here = [&](const Span& span) {
     return span.file != FileId::none && full_path(sources.name(span.file)) == path;

@@ -1,4 +1,4 @@
-// All that can be found wrong with a manifest without a graph of its author's.
+// Finds problems of a manifest without a graph that uses it.
 #pragma once
 
 #include "generator/driver/pipeline/pipeline.hpp"
@@ -8,9 +8,9 @@ namespace eagerx::gen {
 /// Whether a file is read as a manifest: its name is `manifest.yaml`.
 bool is_manifest(const std::string& path);
 
-/// Reads a manifest of this text as a part of its library, and tries the entity: a node in a graph
-/// of its own, an object on every engine that it is made for, with all ports. Only problems whose
-/// place is in the manifest are reported. What its parameters need and has no default is not tried.
+/// Reads a manifest with this text as a part of its library, and tests the entity with all ports: a
+/// node in a graph of its own, an object on each of its engines. Reports only problems with a place
+/// in the manifest. Requirements on parameters without defaults are not checked.
 void check_manifest(Run& run, const LibraryOptions& options, const std::string& path,
                     const std::string& text);
 

@@ -41,7 +41,7 @@ std::vector<std::string> command_for(const GraphOptions& options, const MarginBu
   return words;
 }
 
-/// What it prints of the opened loop; nothing with its messages in `failure`.
+/// The opened loop as that command prints it; nullopt with its messages in `failure` if it fails.
 std::optional<Json> loop_of(const GraphOptions& options, const MarginBudgetSpec& margin,
                             std::string& failure) {
   const std::vector<std::string> command = command_for(options, margin);

@@ -1,4 +1,4 @@
-// eagerx-gen new KIND NAME: a folder to begin with, made from the templates of its kind.
+// eagerx-gen new KIND NAME: makes a folder to start from, using the templates of its kind.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -27,7 +27,7 @@ std::vector<NewFile> files_of(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
     const std::string path = entry.path().lexically_relative(folder).string();
-    // What somebody has built or run in the installed folder is not a part of it.
+    // Skips files that a build or run left in the installed folder.
     if (!entry.is_regular_file(error) || path.starts_with("generated/") ||
         path.find("__pycache__") != std::string::npos)
       continue;

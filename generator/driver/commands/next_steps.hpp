@@ -8,8 +8,8 @@
 
 namespace eagerx::gen {
 
-/// Commands that build and start each program in `folder`, for its target's compiler and as its
-/// manifest says; of a split graph also what goes over the link. Lines for a terminal.
+/// Commands that build and start each program in `folder`, with its target's compiler and as its
+/// manifest says; for a split graph, also the traffic of the link. Lines for a terminal.
 std::string next_steps(const Run& run, const GenerateOptions& options,
                        const std::vector<const Target*>& targets, const std::string& folder);
 

@@ -1,4 +1,4 @@
-// Command lines that are shown to who types them.
+// Command lines as shown to users.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Files that are made from a table of commands: manual pages, completions.
+// Files generated from a table of commands: manual pages, completions.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// eagerx-gen policy: what a weight file holds, and whether it answers as it should.
+// eagerx-gen policy: shows the contents of a weight file, and tests its answers.
 #include <fmt/format.h>
 
 #include <limits>

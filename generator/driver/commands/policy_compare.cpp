@@ -1,4 +1,4 @@
-// eagerx-gen policy compare: how far the answers of two policies are apart.
+// eagerx-gen policy compare: differences between the answers of two policies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -146,7 +146,8 @@ int perform(const PolicyCompareOptions& options) {
   }
   // Before rows of one are found not to fit the other.
   if (!check_sizes(*a, *b, run.diagnostics)) return finish(run, options);
-  // What remembers says what is sampled, and statistics and bounds say where.
+  // A policy with memory needs sequences of observations; statistics and bounds say where to
+  // sample.
   const bool by_second = b->has_memory() && !a->has_memory();
   const auto asked = asked_rows(by_second ? *b : *a, options.asked, run.diagnostics);
   if (!asked || !check_work(*b, asked->rows.observations.size(), run.diagnostics)) {

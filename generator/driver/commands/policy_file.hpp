@@ -10,8 +10,8 @@
 
 namespace eagerx::gen {
 
-/// Reads the file with what is said besides it. One error if it cannot be used. `has_answers`: its
-/// answers will be compared with known ones.
+/// Reads the file with its settings from the command line. Reports one error if it cannot be used.
+/// `has_answers`: its answers will be compared with known ones.
 std::optional<Network> read_policy_file(const PolicyFile& file, Diagnostics& diagnostics,
                                         bool has_answers = false);
 
@@ -20,8 +20,8 @@ struct AskedRows {
   GoldenRows rows;
   std::string origin;
 };
-/// Those of `--observations`, else as many sampled as `--rows` says; problems if `network` cannot
-/// be asked for its answers to them.
+/// The observations of `--observations`, or `--rows` sampled ones. Reports a problem if `network`
+/// cannot evaluate them.
 std::optional<AskedRows> asked_rows(const Network& network, const AskedOptions& options,
                                     Diagnostics& diagnostics);
 

@@ -9,7 +9,7 @@
 
 namespace eagerx::gen {
 
-/// A weight file, and what is said besides it.
+/// A weight file, and its settings from the command line.
 struct PolicyFile {
   std::string file;  // as the user wrote it
   std::string normalize, activation, output_activation, output_name, actor, layers, input_sizes;
@@ -20,7 +20,7 @@ struct PolicyOptions : MessageOptions {
   PolicyFile policy;
 };
 
-/// Observations for which answers are asked.
+/// Observations to evaluate.
 struct AskedOptions {
   std::string observations;  // a file; empty: sampled ones
   std::optional<std::uint64_t> rows, seed;
@@ -39,7 +39,7 @@ inline constexpr const char* kDeviations =
     "ignore the second half of the outputs, which are standard deviations (state_dependent_std of "
     "rsl_rl)";
 
-/// A weight file, with what is said of it.
+/// Arguments for a weight file and its settings.
 Arguments one_policy(PolicyOptions& options);
 Arguments asked(AskedOptions& options);
 /// A conflict between them, or "".
@@ -49,7 +49,7 @@ Command policy_info_command();
 Command policy_test_command();
 /// Writes observations with a policy's answers.
 Command policy_golden_command();
-/// How far the answers of two policies are apart.
+/// Compares the answers of two policies.
 Command policy_compare_command();
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// Shared by the programs `eagerx-gen` and `eagerx-gen-tools`, besides commands.
+// Code that `eagerx-gen` and `eagerx-gen-tools` share, except commands.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// eagerx-gen run: the program of a graph, built and run.
+// eagerx-gen run: builds and runs the program of a graph.
 #include <algorithm>
 #include <filesystem>
 

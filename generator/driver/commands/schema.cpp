@@ -1,4 +1,4 @@
-// eagerx-gen schema: what editors complete and check with.
+// eagerx-gen schema: JSON schemas for completion and checks in editors.
 #include "generator/frontend/library/schema.hpp"
 
 #include <utility>

@@ -1,5 +1,5 @@
-// Where files say the settings of a training: the trainer knows which of them do not go together,
-// but no files.
+// Places of a training's settings in files: the trainer finds settings that do not go together, but
+// does not know the files.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ class SettingPlaces {
   /// `word`: as the trainer gets it, "clip=0.3", or "clip" for any value of a range.
   void add(std::string word, Span span) { places_.emplace_back(std::move(word), span); }
 
-  /// The message of the trainer's `--check`, as an error (E0206) at the settings that it is about.
-  /// False, and nothing is reported, if it is about none that a file says.
+  /// Reports the message of the trainer's `--check` as an error (E0206) at the settings that it
+  /// concerns. Returns false, and reports nothing, if none of them is in a file.
   bool report(std::string_view said, bool is_io, Diagnostics& diagnostics) const;
 
  private:

@@ -1,4 +1,4 @@
-// eagerx-gen size: what an image takes, and whether that is within the graph's budget.
+// eagerx-gen size: measures the resources of an image, and checks the graph's budget.
 #include "generator/analysis/size/size.hpp"
 
 #include <fmt/format.h>

@@ -8,9 +8,9 @@
 
 namespace eagerx::gen {
 
-/// Whether each part can be started here, or one of `words`, the options of the hub's program, is
-/// a `--link` to it, and whether keys of lines are there: E0518, which says what to type, here or
-/// on the other machine.
+/// Whether each part can be started here or has a `--link` in `words`, the options of the hub's
+/// program, and whether keys of lines exist. Otherwise reports E0518 with the command to type, here
+/// or on the other machine.
 bool check_parts(Run& run, const std::vector<BuiltProgram>& programs,
                  const std::vector<std::string>& words);
 

@@ -1,5 +1,5 @@
-// eagerx-gen train: the environments are a library that is generated and built here; learning is
-// the work of eagerx-train (targets/environments/train), which knows nothing of graphs.
+// eagerx-gen train: generates and builds the library of environments, and starts eagerx-train
+// (targets/environments/train), which learns and does not depend on graphs.
 #include "targets/environments/options/train.hpp"
 
 #include "generator/driver/commands/arguments.hpp"

@@ -1,4 +1,4 @@
-// The file of `eagerx-gen train --settings`, by the table that the trainer has, too.
+// The file of `eagerx-gen train --settings`, read by the table that the trainer uses, too.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@
 namespace eagerx::gen {
 
 /// Words for the trainer: `--setting` and `NAME=VALUE` for each that the file names. nullopt and
-/// errors of the reader and of the format (E01xx, E02xx) for a file that is wrong. `places` gets
-/// where each is said.
+/// errors of the reader and of the format (E01xx, E02xx) for a file that is wrong. `places`
+/// receives the place of each setting.
 std::optional<std::vector<std::string>> read_train_settings(const std::string& path,
                                                             SourceMap& sources,
                                                             Diagnostics& diagnostics,

@@ -186,7 +186,7 @@ class Reader {
                                          : one.from + share * (one.to - one.from);
     const std::string text = one.row->kind == SettingKind::whole ? fmt::format("{:.0f}", exact)
                                                                  : fmt::format("{:.4g}", exact);
-    // What was rounded may be outside.
+    // Rounding may leave the range.
     const double rounded = parse_number(text).value_or(exact);
     return rounded < one.from || rounded > one.to ? fmt::format("{}", exact) : text;
   }

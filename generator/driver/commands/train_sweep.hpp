@@ -12,7 +12,7 @@ namespace eagerx::gen {
 
 /// Words for the trainer: `--seeds N`, and `--case "NAME=VALUE NAME=VALUE"` for each combination,
 /// or for each that was sampled. nullopt and errors of the reader and of the format (E01xx, E02xx)
-/// for a file that is wrong. `places` gets where each is said.
+/// for a file that is wrong. `places` receives the place of each setting.
 std::optional<std::vector<std::string>> read_train_sweep(const std::string& path,
                                                          SourceMap& sources,
                                                          Diagnostics& diagnostics,

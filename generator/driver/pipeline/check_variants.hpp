@@ -7,9 +7,9 @@
 
 namespace eagerx::gen {
 
-/// Adds to `run`, which has checked the graph as it is written, what is wrong with the form of its
-/// variants: keys, names, kinds of values. The rest depends on what a variant is for: a board, or
-/// the library of some nodes. Returns how many there are.
+/// Adds to `run`, which has checked the graph as written, problems in the form of its variants:
+/// keys, names, kinds of values. The rest depends on the use of a variant: a board, or the library
+/// of some nodes. Returns the number of variants.
 std::size_t check_variants(Run& run, const GraphOptions& options);
 
 }  // namespace eagerx::gen

@@ -1,5 +1,5 @@
-// Options of several commands of eagerx-gen. A command's own options are a struct in its own file,
-// derived from that of these which it needs.
+// Options that several commands of eagerx-gen share. A command's own options are a struct in its
+// own file, derived from the struct here that it needs.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ enum class Purpose : std::uint8_t {
   recording,   // the whole graph, with its agent, for a library that is cut out of it
 };
 
-/// A graph, and what replaces parts of its file.
+/// A graph, and options that override parts of its file.
 struct GraphOptions : LibraryOptions {
   std::string graph;
   std::string variant;                              // empty: the graph as it is written
@@ -46,7 +46,7 @@ struct GraphOptions : LibraryOptions {
   bool keep_processes = false;  // of a file that EAGERx saved: nodes with NEW_PROCESS become parts
 };
 
-/// And what is written of it.
+/// A graph and its output.
 struct GenerateOptions : GraphOptions {
   std::string output;  // a folder; empty: generated/<name of the graph>
   std::string depfile;

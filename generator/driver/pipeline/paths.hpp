@@ -6,8 +6,8 @@
 
 namespace eagerx::gen {
 
-/// The folder that holds models/, targets/, templates/, toolchains/; EAGERX_HOME in the environment
-/// wins. Empty if there is none.
+/// The folder that contains models/, targets/, templates/, toolchains/; the environment variable
+/// EAGERX_HOME takes precedence. Empty if there is none.
 std::string data_root();
 /// The folder of eagerx-gen's CMake package: next to it, or in the build folder that it is in.
 /// Empty if there is none.
@@ -15,7 +15,7 @@ std::string package_folder();
 /// A program that only other commands start: where it is installed, or next to eagerx-gen in the
 /// build folder.
 std::string helper_program(const std::string& name);
-/// The build folder of an image, as was said, or else the folder that it lies in.
+/// The build folder of an image: the given one, or the folder that contains the image.
 std::string build_folder_of(const std::string& image, const std::string& said);
 
 /// The folder of the reference that `docs` opens: where it is installed, or in the build folder.

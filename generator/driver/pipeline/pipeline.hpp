@@ -1,4 +1,4 @@
-// The way from a graph file to a plan, with everything that was read on the way.
+// The steps from a graph file to a plan, with everything that they read.
 #pragma once
 
 #include <memory>
@@ -49,13 +49,13 @@ std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree,
 bool make(Run& run, const GraphOptions& options);
 /// The same of a graph that is the text of `options.graph`, which need not be there.
 bool make_of_text(Run& run, const GraphOptions& options, const std::string& text);
-/// Only up to the spec, from `run.written`: whether its form is right, whatever it is made for.
+/// Stops at the spec, made from `run.written`: checks its form only, independent of its use.
 bool make_spec(Run& run, const GraphOptions& options);
 /// All that `check` looks for in such a graph; true if there was no problem.
 bool check_text(Run& run, const GraphOptions& options, const std::string& text);
 /// The targets that are generated for, as the command line says.
 std::vector<std::string> wanted_targets(const GraphOptions& options);
-/// Prints what was found to the standard error and returns the exit code.
+/// Prints the diagnostics to the standard error, and returns the exit code.
 int finish(Run& run, const MessageOptions& options);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// One element of an array: `$(index)`, and of each `{each: […]}` the value that is its.
+// One element of an array: `$(index)`, and its value of each `{each: […]}`.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace eagerx::gen {
 
-/// The number of elements that `count:` says; nullopt if there is none. After a problem (E0203,
-/// E0204) it is 0.
+/// The number of elements in `count:`; nullopt without the key. After a problem (E0203, E0204) it
+/// is 0.
 std::optional<std::int64_t> count_of(const YamlValue& entity, const References& references,
                                      Diagnostics& diagnostics);
 

@@ -23,7 +23,7 @@
 namespace eagerx::gen {
 namespace {
 
-// What composites of arrays of composites may become: a graph of a million nodes is a mistake.
+// Limits for arrays of composites that contain arrays: a graph of a million nodes is a mistake.
 constexpr std::size_t kMostEntities = 20'000;
 constexpr std::size_t kDeepest = 16;
 

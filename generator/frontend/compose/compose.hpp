@@ -1,6 +1,5 @@
-// Graphs made of graphs: arrays and composites of a graph file become the entities and connections
-// that they stand for. What comes out is a graph file as one could have written it, whose spans say
-// where everything is written and who used it.
+// Graphs made of graphs: expands arrays and composites of a graph file into entities and
+// connections. The result is a flat graph file; its spans say where everything is written and used.
 #pragma once
 
 #include "generator/frontend/compose/port_bindings.hpp"
@@ -16,8 +15,8 @@ struct FlatGraph {
 };
 
 /// The flat graph. Inner names are `arm/position`, those of arrays `leg[0]`. Problems: E0390 a
-/// composite that cannot be bound, E0391 counts that do not fit, E0392 an index out of range,
-/// E0393 composites in a circle or too many of them, E0396 what is not tunable, and those of
+/// composite that cannot be bound, E0391 counts that do not fit, E0392 an index out of range, E0393
+/// a cycle of composites or too many of them, E0396 a parameter that is not tunable, and those of
 /// parameters.
 FlatGraph compose(const YamlValue& root, const Library& library, SourceMap& sources,
                   Diagnostics& diagnostics);

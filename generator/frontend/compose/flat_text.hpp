@@ -1,4 +1,4 @@
-// A graph tree as the text of a graph file, with the place that every line is from.
+// A graph tree as the text of a graph file, with the source of every line.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace eagerx::gen {
 
-/// YAML that reads as the same tree. Behind every line that is not from `root`'s own file stands
-/// the file and line that it is from.
+/// YAML that reads as the same tree. A comment after every line that is not from `root`'s own file
+/// names its file and line.
 std::string flat_text(const YamlValue& root, const SourceMap& sources);
 
 }  // namespace eagerx::gen

@@ -16,7 +16,7 @@ struct GatheredElement {
   YamlValue connection;  // with its settings
 };
 
-/// Nodes `Mux` and connections that make one message of its elements, and who sends it.
+/// `Mux` nodes and connections that join elements into one message, and the sender of that message.
 struct Gathered {
   std::vector<YamlValue::Entry> nodes;
   std::vector<YamlValue> connections;
@@ -28,7 +28,7 @@ std::optional<Gathered> gather(const Spanned<std::string>& to,
                                std::vector<GatheredElement> elements, const YamlValue& rate,
                                Diagnostics& diagnostics);
 
-/// A connection that takes one element of what its source sends.
+/// A connection that reads one element of its source's message.
 YamlValue with_element(YamlValue connection, std::int64_t element, Span span);
 
 }  // namespace eagerx::gen

@@ -1,5 +1,5 @@
-// Files that a composite, or a graph that is extended, names are in its folder; a graph names files
-// relative to its own.
+// Rebases file names of a composite or an extended graph, which are relative to its own folder,
+// onto the folder of the graph that uses it.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Which ports there are in what is being made flat, by the full names of their owners.
+// The ports of a graph that is being flattened, by the full names of their owners.
 #pragma once
 
 #include <map>
@@ -20,8 +20,8 @@ struct InnerPorts {
   /// Names of the ports of an owner that send, or receive; nullopt where they are not known.
   [[nodiscard]] std::optional<std::vector<std::string>> known(const PortName& name,
                                                               bool sends) const;
-  /// Whether what a composite is bound to is there (E0390). Of entities that are unknown nothing is
-  /// said.
+  /// Whether the inner port that a composite's port is bound to exists (E0390). Unknown entities
+  /// are not reported.
   bool is_there(const Spanned<std::string>& bound, const std::string& port, bool sends,
                 Diagnostics& diagnostics) const;
   /// Whether a composite that a graph connects has the port (E0307).

@@ -1,4 +1,4 @@
-// A graph over another one: what it says comes first, what it removes goes.
+// Overlays one graph on another: its values take precedence, and it can remove entries.
 #pragma once
 
 #include "generator/frontend/read/tree.hpp"
@@ -6,12 +6,12 @@
 
 namespace eagerx::gen {
 
-/// A key that no file has: what was removed, and where that is said.
+/// A key that files cannot contain: removed entries, and the places of their removal.
 inline constexpr const char* kRemovedEntities = "remove[d]";
 
-/// `base` with what `over` says. Mappings are laid over each other key by key, but one with another
-/// `type` takes the place of the one below; the target port identifies a connection
-/// ; everything else is replaced. Before, what `remove:` names goes (E0395 if it is not there).
+/// Overlays `over` on `base`. Mappings merge key by key, but one with another `type` replaces the
+/// one below; the target port identifies a connection; everything else is replaced. Entries under
+/// `remove:` are removed first (E0395 if one is missing).
 YamlValue laid_over(YamlValue base, YamlValue over, Diagnostics& diagnostics);
 
 /// Whether a connection has an end at something that was removed: E0395.

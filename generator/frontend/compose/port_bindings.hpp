@@ -12,8 +12,8 @@
 
 namespace eagerx::gen {
 
-/// An input inside, and what the composites around it say of connections to it, the outermost
-/// first: mappings with `window`, `delay`, `processor` …
+/// An inner input, and the settings of the enclosing composites for connections to it, the
+/// outermost first: mappings with `window`, `delay`, `processor` …
 struct PortBinding {
   std::string port;
   std::vector<YamlValue> settings;
@@ -43,7 +43,7 @@ class PortBindings {
 
   /// The port that sends where a full name such as `arm.u` is written.
   [[nodiscard]] std::string source(const std::string& port) const;
-  /// Those that receive. What is no port of a composite stays as it is.
+  /// The receiving ports. A port that is not a composite's is unchanged.
   [[nodiscard]] std::vector<PortBinding> sinks(const std::string& port) const;
 
  private:
@@ -54,8 +54,8 @@ class PortBindings {
 CompositeSpec shown_composite(const std::string& name, Span span, const Entity& entity,
                               const YamlValue* rate, const CompositePorts& ports);
 
-/// `connection` between two ports inside: with the settings of both ends, of which what the
-/// connection itself says comes first.
+/// `connection` between two inner ports, with the settings of both ends; its own settings take
+/// precedence.
 YamlValue joined(const YamlValue& connection, const Spanned<std::string>& from,
                  const Spanned<std::string>& to, const std::vector<YamlValue>& settings);
 

@@ -13,8 +13,8 @@
 
 namespace eagerx::gen {
 
-/// The text between brackets: a number, or a name and what is added to it. The k-th `*` of a
-/// port is the name "*k".
+/// The text between brackets: a number, or a name plus a number. The k-th `*` of a port is the name
+/// "*k".
 struct PatternIndex {
   std::string name;  // empty: a number
   std::int64_t offset = 0;
@@ -34,7 +34,7 @@ struct PortPattern {
 std::optional<PortPattern> parse_pattern(const Spanned<std::string>& port,
                                          Diagnostics& diagnostics);
 
-/// One port that a pattern stands for.
+/// One port that matches a pattern.
 struct IndexedPort {
   std::string port;                     // `leg[0].torque`
   std::optional<std::int64_t> element;  // of its messages
@@ -43,7 +43,7 @@ struct IndexedConnection {
   IndexedPort from, to;
 };
 
-/// How many elements the array of this name has; nullopt for what is none.
+/// The number of elements of the array with this name; nullopt if it is not an array.
 using CountOf = std::function<std::optional<std::int64_t>(const std::string&)>;
 
 /// The ports of a pattern, for all values of its names.

@@ -1,4 +1,4 @@
-// The keys of a graph, besides its connections, that name ports and nodes.
+// Keys of a graph, other than connections, that name ports and nodes.
 #pragma once
 
 #include "generator/frontend/compose/port_bindings.hpp"

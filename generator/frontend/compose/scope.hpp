@@ -1,4 +1,4 @@
-// A graph that is being made flat, and what is said of it from outside.
+// A graph that is being flattened, with the settings from outside.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@ namespace eagerx::gen {
 /// A composite's settings of its inner entities, by name: entries of `states:`, `sensors:` …
 using Overrides = std::map<std::string, std::vector<YamlValue::Entry>>;
 
-/// A graph that is being made flat: the user's, or what is in one composite.
+/// A graph that is being flattened: the user's, or the contents of one composite.
 struct Scope {
   std::string prefix;  // of names in it: "arm/"
   References references;
@@ -23,7 +23,7 @@ struct Scope {
 /// A text, or each of a list.
 std::vector<Spanned<std::string>> texts_of(const YamlValue& yaml);
 
-/// Puts what composites around say of the entity `written`, called `name`, into its settings.
+/// Applies the settings of enclosing composites to the entity `written`, named `name`.
 void add_said(const Scope& scope, const YamlValue::Entry& written, const std::string& name,
               YamlValue& settings);
 
@@ -32,7 +32,7 @@ void add_said(const Scope& scope, const YamlValue::Entry& written, const std::st
 void take_states(const YamlValue& settings, Scope& scope, Diagnostics& diagnostics);
 /// Passes a graph's settings of a composite's sensors and actuators to those inside.
 void take_settings_of_ports(const YamlValue& settings, const YamlValue& inside, Scope& scope);
-/// Reports states of what is not in the graph (E0390).
+/// Reports states of entities that are not in the graph (E0390).
 void report_unknown_inner(const Scope& scope, const YamlValue& graph, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -5,8 +5,8 @@
 
 namespace eagerx::gen {
 
-/// Names the parameters of `tunable:` among the states of their nodes, in a flat graph. Problems:
-/// E0396 what is no tunable parameter of a node.
+/// Adds the parameters of `tunable:` to the states of their nodes, in a flat graph. Problems: E0396
+/// not a tunable parameter of a node.
 void take_tunable(YamlValue& root, const Library& library, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// One robot, several graphs: `extends: FILE` and `variants:` are laid over each other, key by key.
+// One robot, several graphs: overlays `extends: FILE` and `variants:` key by key.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 namespace eagerx::gen {
 
 /// The graph of `variant` (empty: the file's own), without the keys `extends` and `variants`.
-/// Problems: E0394 no such variant, a circle of files; E0395 what is to be removed is not there or
-/// still used; those of reading.
+/// Problems: E0394 an unknown variant, a cycle of files; E0395 an entry to remove that is missing
+/// or still used; those of reading.
 YamlValue choose_variant(YamlValue root, const std::string& path, const std::string& variant,
                          SourceMap& sources, Diagnostics& diagnostics);
 

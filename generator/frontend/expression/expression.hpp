@@ -25,12 +25,12 @@ using ExpressionNumber = ComputedNumber;
 /// Of an Op::number.
 ExpressionNumber exact_number(const Expression& number);
 
-/// Tells of the problem of `text`, which is that of `yaml`, at its place. False: there is none.
+/// Reports the problem of `text`, the text of `yaml`, at its place. False if there is none.
 bool report_problem(const ExpressionText& text, const YamlValue& yaml, const char* code,
                     Diagnostics& diagnostics);
 
-/// An expression of a task with the type that is wanted; `help` says what to do about a name that
-/// is no variable, or nothing. Problems, at their place in the text: E0339. nullopt then.
+/// An expression of a task with the required type; `help` returns a hint for an unknown variable,
+/// or an empty text. nullopt after a problem, which is reported at its place in the text: E0339.
 std::optional<TypedExpression> read_typed_expression(
     const YamlValue& text, const std::vector<ExpressionVariable>& variables, ExpressionType wanted,
     const std::function<std::string(const std::string&)>& help, Diagnostics& diagnostics);

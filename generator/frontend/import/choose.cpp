@@ -1,4 +1,4 @@
-// Settings that Graph.save does not write: the engine, its rate and the environment's.
+// Settings that Graph.save does not write: the engine, its rate and the environment's rate.
 #include <fmt/format.h>
 
 #include "generator/frontend/import/translate.hpp"

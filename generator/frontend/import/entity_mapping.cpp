@@ -58,14 +58,14 @@ bool is_condition(const Entity& entity, std::string_view name) {
   });
 }
 
-/// Where a class in a file has another interface than our entity; empty: nowhere.
+/// Differences between the interface of a class in a file and that of our entity; empty: none.
 std::string difference(const Entity& entity, const SavedEntity& saved) {
   for (const auto& entry : saved.config.entries) {
     const bool known = ranges::contains(entity.config, entry.key, &Parameter::eagerx) ||
                        ranges::contains(kAlways, entry.key) || is_condition(entity, entry.key);
     if (!known) return fmt::format("parameters (`{}`)", entry.key);
   }
-  // What the class does not have keeps our default.
+  // Parameters that the class lacks keep our default.
   for (const auto& parameter : entity.config) {
     if (!parameter.fallback && saved.config.find(parameter.eagerx) == nullptr)
       return fmt::format("parameters (`{}`)", parameter.name.value);

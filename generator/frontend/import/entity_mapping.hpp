@@ -1,4 +1,4 @@
-// Our entities for EAGERx's, found through their manifests, with their parameters.
+// Maps EAGERx's entities and their parameters to ours, through the manifests.
 #pragma once
 
 #include <map>
@@ -28,32 +28,32 @@ class EntityMapping {
   EntityMapping(const Library& library, Diagnostics& diagnostics)
       : library_(library), diagnostics_(diagnostics) {}
 
-  /// Our entity for `id` with these parameters, or nullptr. `user`: what needs it, as messages say
-  /// it ("the node `smooth`").
+  /// Our entity for `id` with these parameters, or nullptr. `user`: the element that needs it, for
+  /// messages ("the node `smooth`").
   const Entity* find(const Spanned<std::string>& id, const YamlValue& config, Use use,
                      const std::string& user);
-  /// The same without a word if there is none.
+  /// The same without a message if there is none.
   [[nodiscard]] const Entity* look_up(const std::string& id, const YamlValue& config,
                                       Use use) const;
   /// As find(), and keeps the interface for missing().
   const Entity* require(const SavedEntity& saved, Use use, const std::string& user);
-  /// Whether any entity of ours stands for this one of EAGERx.
+  /// Whether any of our entities corresponds to this one of EAGERx.
   [[nodiscard]] bool knows(const std::string& id) const;
-  /// A class of `__main__` is any script's: our entity of that name may stand in for it if ports,
-  /// their spaces and parameters are the same, with a warning (E0806); else E0801 and false. The
-  /// user's own entity is what its manifest says.
+  /// A class of `__main__` can be from any script: our entity of that name may replace it if ports,
+  /// their spaces and parameters are the same, with a warning (E0806); otherwise E0801 and false. A
+  /// user's own entity always may.
   bool may_stand_in(const Entity& entity, const SavedEntity& saved, const std::string& user);
-  /// Whether our entity stands for this one of EAGERx, whatever its parameters.
+  /// Whether our entity corresponds to this one of EAGERx, with any parameters.
   [[nodiscard]] static bool stands_for(const Entity& entity, const std::string& id);
 
-  /// The parameters in our words, without those that have their default. What our entity does not
-  /// have is noted; `user` as above.
+  /// Our parameters, without those that have their default. Parameters that our entity lacks are
+  /// noted; `user` as above.
   std::vector<Setting> settings(const Entity& entity, const YamlValue& config,
                                 const std::string& user);
   /// The processor of a port, if it has one.
   std::optional<ProcessorSpec> processor(const SavedPort& port, const std::string& user);
 
-  /// Reports every id that was asked for and has no counterpart (E0801), each once.
+  /// Reports every requested id without a counterpart once (E0801).
   void report_missing();
   /// By EAGERx's id.
   [[nodiscard]] const std::map<std::string, Missing>& missing() const { return missing_; }

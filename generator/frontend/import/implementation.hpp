@@ -1,4 +1,4 @@
-// How the engine of a saved file makes an object, as the `engines:` of a manifest.
+// Implementation of an object on the engine of a saved file, as the `engines:` of a manifest.
 #pragma once
 
 #include <map>
@@ -24,7 +24,7 @@ struct SavedImplementation {
 /// Types of entities that are not written yet, by EAGERx's id.
 using MadeTypes = std::map<std::string, std::string>;
 
-/// The type of a manifest's parameter with this default; empty: nothing that a manifest can say.
+/// The type of a manifest's parameter with this default; empty if a manifest cannot express it.
 std::string type_of_parameter(const YamlValue& value);
 /// The space as saved; bounds tell the length where EAGERx saved no shape.
 std::optional<SpaceSpec> whole_space(const SavedPort& port);

@@ -18,7 +18,7 @@ struct ImportOptions {
 
 struct ImportedGraph {
   GraphSpec spec;
-  /// Why something is as it is, for the reader of the rewritten file: "name", "rate", "engine",
+  /// Reasons for values, for the reader of the converted file: "name", "rate", "engine",
   /// "engine.rate".
   std::map<std::string, std::string> remarks;
 };
@@ -27,10 +27,9 @@ struct ImportedGraph {
 bool is_saved_graph(const YamlValue& root);
 
 /// Translates the file through the manifests of `library`. Spans point into the saved file.
-/// Problems, all reported, nullopt: E0801 an entity without counterpart, E0802 not such a file,
-/// E0803 a Python object where a value is needed, E0804 an engine or rate that has to be given,
-/// E0805 an object that cannot be put back. Warnings: E0806
-/// differences between what runs here and what EAGERx makes of the file.
+/// Problems, all reported, nullopt: E0801 an entity without a counterpart, E0802 not such a file,
+/// E0803 a Python object instead of a value, E0804 a missing engine or rate, E0805 an object that
+/// cannot be restored. Warnings: E0806 differences between the program and EAGERx's behavior.
 std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::string& path,
                                           const Library& library, const ImportOptions& options,
                                           Diagnostics& diagnostics);

@@ -1,4 +1,4 @@
-// Which sensor or actuator an engine node of a flattened file stands for: EAGERx does not write it.
+// Finds the sensor or actuator of each engine node in a flattened file: EAGERx does not write it.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ struct PortMatch {
   std::vector<InsidePort> open;                          // used outside, but nothing tells what for
 };
 
-/// By name, else by rate and space, else by what alone is left.
+/// Matches by name, then by rate and space, then by elimination.
 PortMatch match_ports(const SavedGraph& saved, const SavedObject& object,
                       const SavedEntity& backup);
 

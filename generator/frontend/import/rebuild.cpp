@@ -1,5 +1,5 @@
 // BaseEnv.save writes engine nodes instead of objects. This file restores the objects: an object's
-// manifest says which engine node stands for which sensor and actuator.
+// manifest assigns engine nodes to sensors and actuators.
 #include <fmt/format.h>
 
 #include <set>

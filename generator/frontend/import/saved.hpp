@@ -82,12 +82,12 @@ struct SavedGraph {
 /// Typed form of the tree; nullopt after E0802 (it does not have the form of such a file).
 std::optional<SavedGraph> read_saved_graph(const YamlValue& root, Diagnostics& diagnostics);
 
-/// The tree with Python's tuples, texts, numbers and numpy's scalars as plain YAML. What else has a
-/// Python tag becomes a scalar for which is_python_object() holds.
+/// The tree with Python's tuples, texts, numbers and numpy's scalars as plain YAML. Any other value
+/// with a Python tag becomes a scalar for which is_python_object() is true.
 YamlValue plain_values(const YamlValue& yaml);
 bool is_python_object(const YamlValue& yaml);
 
-/// The number that a double in the file stands for, exactly; nullopt if it is no number.
+/// The exact number that a double in the file represents; nullopt if it is not a number.
 std::optional<Rational> meant_number(const YamlValue& yaml);
 
 /// Our object instead of the engine nodes of each object, as Graph.save would have written it.

@@ -43,7 +43,7 @@ struct Processes {
   std::vector<std::string> kept;              // the engine and engine nodes, which stay together
 };
 
-/// Of the file as it is, before objects are put back. Reports what is no process (E0802).
+/// The processes in the file, before objects are restored. Reports invalid processes (E0802).
 Processes find_processes(const SavedGraph& saved, Diagnostics& diagnostics);
 /// `placement:` of the nodes, and one note on all of it.
 void translate_processes(Translation& t, const Processes& processes);
@@ -56,7 +56,7 @@ void translate_pictures(Translation& t, const Pictures& pictures);
 /// Ports of entities that are known, by the names that our manifests give them.
 void rename_ports(SavedGraph& saved, const EntityMapping& mapping);
 
-/// Whether nothing is set of these sensors or actuators: such a list leaves all others out.
+/// Whether these sensors or actuators have no settings: such a list excludes all others.
 bool has_only_names(const std::vector<ComponentSpec>& components);
 
 // In this order.
@@ -77,10 +77,10 @@ std::optional<Rational> saved_delay(const YamlValue& yaml, Diagnostics& diagnost
 std::optional<Rational> manifest_rate(const Entity& entity, const PortManifest& port,
                                       const std::vector<Setting>& settings);
 
-/// The space as saved, without infinite bounds; nullopt if it says
-/// nothing. Not checked: that is for what goes into the graph.
+/// The space as saved, without infinite bounds; nullopt if it is empty. Not checked: only spaces in
+/// the graph are.
 std::optional<SpaceSpec> saved_space(const SavedPort& port);
-/// Reports what a graph could not say (E02xx).
+/// Reports spaces that a graph cannot express (E02xx).
 bool check_space(const SpaceSpec& space, Diagnostics& diagnostics);
 /// Whether a manifest gives all of the space, in numbers.
 bool same_space(const SpaceSpec& saved, const SpaceSpec& manifest);

@@ -55,7 +55,7 @@ class Maker {
   }
 
  protected:
-  // What the two kinds of texts have names for.
+  // Names in the two kinds of text.
 
   virtual Type name(const Expression& word) = 0;
   /// A function of a port: size, window, dtype.

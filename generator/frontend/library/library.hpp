@@ -14,8 +14,7 @@ namespace eagerx::gen {
 
 enum class EntityKind : std::uint8_t { node, engine, engine_node, engine_state, object, processor };
 
-/// An entity of EAGERx (module/Class) that ours stands for, if its parameters there have these
-/// values.
+/// The counterpart in EAGERx (module/Class), if its parameters there have these values.
 struct EagerxId {
   Spanned<std::string> id;
   std::vector<Setting> when;
@@ -97,7 +96,7 @@ struct ObjectEngine {
   std::string include_root;  // folder that the model's include is relative to
 };
 
-/// An object's implementation for an engine in a manifest of its own.
+/// An object's implementation for an engine in a separate manifest.
 struct Implementation {
   Spanned<std::string> object;
   ObjectEngine engine;
@@ -130,8 +129,8 @@ struct Entity {
   std::string path;                            // of the manifest, as messages show it
   std::string include_root;                    // folder that the include is relative to
   bool own = false;                            // the user's: of a folder of `--path` or `library:`
-  // Of a composite, a graph with ports: its manifest, of which `compose/` makes what is inside. Its
-  // own ports have what their bindings say, and no spaces.
+  // The manifest of a composite, a graph with ports, from which `compose/` makes the contents. Its
+  // own ports have the settings of their bindings, and no spaces.
   std::shared_ptr<const YamlValue> composite;
 
   [[nodiscard]] const PortManifest* input(std::string_view name) const;
@@ -175,14 +174,14 @@ struct Target {
   std::vector<std::string> run;
   std::string image;  // the file that is built, with `{name}`; empty: as CMake calls a program
 
-  /// Boards have memories at places of their own.
+  /// Boards define the addresses of their memories.
   [[nodiscard]] bool is_board() const { return system.empty() && ram_bytes.has_value(); }
 };
 
 class ManifestLoader;
 
-/// All entities and targets. What is wrong in a manifest is added to the diagnostics that the
-/// library was loaded with, when the manifest is read: an installed one when its id is asked for.
+/// All entities and targets. Problems of a manifest are added to the library's diagnostics when the
+/// manifest is read: for an installed one, when its id is requested.
 struct Library {
   mutable std::map<std::string, Entity> entities;  // those that were read
   mutable std::map<std::string, Target> targets;
@@ -202,12 +201,12 @@ struct Library {
 
 std::string_view to_string(EntityKind kind);
 
-/// Reads every manifest.yaml below the folders, in the order of their paths; a folder's span is
-/// where it was named. Of the `installed` folders, which come after the others, it reads the ids
-/// alone, for parsing all takes 60 ms: a manifest is parsed when the library is asked for its id.
-/// So `sources` and `diagnostics` have to stay. Codes: E0301 a folder that cannot be read, E0302 an
-/// id defined twice, E0303 an implementation of a missing object, E02xx what is wrong in
-/// a manifest.
+/// Reads every manifest.yaml below the folders, in the order of their paths; a folder's span is the
+/// place that names it. From the `installed` folders, which come last, it reads only the ids,
+/// because parsing all manifests takes 60 ms: a manifest is parsed when its id is requested. So
+/// `sources` and `diagnostics` must outlive the library. Codes: E0301 a folder that cannot be read,
+/// E0302 an id defined twice, E0303 an implementation of a missing object, E02xx what is wrong in a
+/// manifest.
 Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap& sources,
                      Diagnostics& diagnostics,
                      const std::vector<Spanned<std::string>>& installed = {});

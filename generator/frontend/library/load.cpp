@@ -1,4 +1,4 @@
-// From folders to a library: which manifests there are, and which of them are read.
+// Loads a library from folders: finds the manifests, and reads those that are needed.
 #include <fmt/format.h>
 
 #include <algorithm>

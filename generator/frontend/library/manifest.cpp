@@ -1,4 +1,4 @@
-// One manifest, from tree to struct.
+// Converts the tree of a manifest into a struct.
 #include <fmt/format.h>
 
 #include <algorithm>

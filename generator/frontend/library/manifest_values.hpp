@@ -12,7 +12,7 @@ namespace eagerx::gen {
 std::string text_at(const YamlValue& yaml, const char* key);
 /// Those of a list.
 std::vector<std::string> texts_at(const YamlValue& yaml, const char* key);
-/// `mine::Gain`, which goes into generated code as it is: E0205 if it is no name of a class.
+/// `mine::Gain`, which generated code contains unchanged: E0205 if it is not the name of a class.
 void check_class(const YamlValue& name, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

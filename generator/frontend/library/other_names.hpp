@@ -7,9 +7,8 @@
 
 namespace eagerx::gen {
 
-/// Those of `known` that `word` may mean, whatever its case: by what others call them (`lqr` is
-/// StateFeedback), or because they have it in their names (`pid`). Empty if there are none, or
-/// many.
+/// Names among `known` that `word` may mean, ignoring case: by their names in other tools (`lqr` is
+/// StateFeedback), or because they contain it (`pid`). Empty if there are none or too many.
 std::vector<std::string> other_names(std::string_view word, const std::vector<std::string>& known);
 
 /// "did you mean `PidController`?" with them; empty if there are none.

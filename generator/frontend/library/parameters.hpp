@@ -1,4 +1,4 @@
-// Parameters of an entity, as its manifest has them under `config:`.
+// Parameters of an entity, under `config:` of its manifest.
 #pragma once
 
 #include <vector>

@@ -10,7 +10,7 @@ namespace eagerx::gen {
 /// are those of the type.
 Json graph_schema(const Library& library);
 
-/// The schema of manifests: what may stand in one depends on its `kind`.
+/// The schema of manifests, whose valid keys depend on `kind`.
 Json manifest_schema();
 
 }  // namespace eagerx::gen

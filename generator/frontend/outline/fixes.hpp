@@ -21,8 +21,8 @@ std::vector<TextFix> fixes_of(const Diagnostic& diagnostic, std::string_view tex
 /// The certain one, if there is one.
 std::optional<Edit> fix_of(const Diagnostic& diagnostic, std::string_view text);
 
-/// Gives every fix the edits that it is in the texts of `sources`: spans and what replaces them.
-/// Drops those that are none there.
+/// Gives every fix its edits in the texts of `sources`: spans and replacements. Drops fixes without
+/// edits.
 void place_fixes(Diagnostics& diagnostics, const SourceMap& sources);
 
 }  // namespace eagerx::gen

@@ -9,7 +9,7 @@
 
 namespace eagerx::gen {
 
-/// Line `line` (from 0) without its newline; behind the last one, the end of the text.
+/// Line `line` (from 0) without its newline; after the last one, the end of the text.
 Bytes line_of(std::string_view text, std::uint32_t line);
 
 /// The lines of a diagnostic's span; of one without a line, the first line.

@@ -1,5 +1,5 @@
-// The outline of a YAML file while it is being written: keys, values, and where they are. Where
-// read/ refuses a file, this continues with the lines that are whole.
+// The outline of a YAML file that is being edited: keys, values, and their places. It continues
+// with the complete lines of a file that read/ rejects.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ struct OutlineEntry {
   OutlineNode value;
 };
 
-/// At most 64 values in one another; what is deeper is left out.
+/// At most 64 levels of nesting; deeper values are left out.
 OutlineNode outline_of(std::string_view text);
 
 /// From the top to a place: keys, and places in lists.
@@ -48,7 +48,7 @@ using OutlinePath = std::vector<std::variant<std::string, std::size_t>>;
 /// The value at `path`, or nullptr.
 const OutlineNode* node_at(const OutlineNode& top, const OutlinePath& path);
 
-/// Where somebody types, or points at.
+/// Position of the text cursor or the pointer.
 struct Cursor {
   OutlinePath path = {};  // of the map or list that it is in; of a value of a key: of that value
   bool is_key = false;
@@ -57,7 +57,7 @@ struct Cursor {
   Bytes word = {};          // which a completion replaces, in the text
 };
 
-/// The place of the word at byte `at`, also where there is none yet.
+/// The place of the word at byte `at`, which may be empty.
 Cursor cursor_at(std::string_view text, std::size_t at);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// Changes of a text: what is not touched stays as somebody wrote it.
+// Changes of a text that leave the rest as it was written.
 #pragma once
 
 #include <string>

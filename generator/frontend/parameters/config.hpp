@@ -1,4 +1,5 @@
-// Parameters against their manifest, and the `$(…)` that manifests may write instead of a number.
+// Checks parameters against their manifest, and resolves the `$(…)` that manifests may write
+// instead of numbers.
 #pragma once
 
 #include <cstdint>
@@ -40,8 +41,8 @@ using References = std::map<Reference, YamlValue>;
 
 /// Checks `settings` against the parameters and fills in defaults; problems are reported (E0320
 /// unknown, E0321 missing, E0322 wrong type, E0323 out of range, and for an object as a parameter
-/// those of entities). `span`: where a missing one should have been. `outside`: what a `$(…)` in a
-/// default refers to.
+/// those of entities). `span`: the place of a missing one. `outside`: the references for `$(…)` in
+/// a default.
 Config resolve_config(const Library& library, const Entity& entity,
                       const std::vector<Setting>& settings, Span span, Diagnostics& diagnostics,
                       const References& outside = {});
@@ -59,22 +60,22 @@ YamlValue in_unit_of(const Parameter& parameter, YamlValue yaml);
 References references_of(const Entity& entity, const std::vector<Setting>& settings);
 
 /// `yaml` with every `$(…)` replaced; an unknown reference is reported (E0324) and marked, so that
-/// nothing more is said of it.
+/// it causes no further messages.
 bool is_unresolved(const YamlValue& yaml);
 YamlValue substitute(YamlValue yaml, const References& references, Diagnostics& diagnostics);
 std::vector<Setting> substitute(std::vector<Setting> settings, const References& references,
                                 Diagnostics& diagnostics);
 
-/// The number, or what the expression gives; unresolved after a problem.
+/// The number, or the result of the expression; unresolved after a problem.
 YamlValue value_of(const QuantitySpec& quantity, const References& references,
                    Diagnostics& diagnostics);
 
 /// A number or list of numbers as doubles; nullopt (and E0322) if it is something else.
 std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics& diagnostics);
 
-/// Whether the whole numbers of `yaml` stay what they are: spaces and states keep doubles, which
-/// hold those of up to 53 bits. Without a dtype it may be an integer's. If not, error `code` where
-/// the first of them is.
+/// Whether doubles represent the whole numbers of `yaml` exactly: spaces and states store doubles,
+/// which have 53 bits. Without a dtype, it may be an integer. Reports error `code` at the first
+/// number that is not exact.
 bool are_exact_as_doubles(const YamlValue& yaml, std::optional<Dtype> dtype, const char* code,
                           Diagnostics& diagnostics);
 
@@ -82,9 +83,9 @@ bool are_exact_as_doubles(const YamlValue& yaml, std::optional<Dtype> dtype, con
 std::optional<Rational> rate_of(const QuantitySpec& rate, const References& references,
                                 Diagnostics& diagnostics);
 
-/// The entity with this id if it is of the wanted kind, else nullptr and E0303 (unknown) or E0304
-/// (other kind); nothing is said of an empty id. `instead`: the help if it is of another kind,
-/// where it is no entry of the graph.
+/// The entity with this id if it has the required kind, otherwise nullptr and E0303 (unknown) or
+/// E0304 (other kind); no message for an empty id. `instead`: the help for another kind, if the id
+/// is not in an entry of the graph.
 const Entity* find_entity(const Library& library, const Spanned<std::string>& id, EntityKind kind,
                           Diagnostics& diagnostics, const std::string& instead = {});
 

@@ -1,4 +1,4 @@
-// An entity by its id, and how an object is made on an engine.
+// Finds an entity by its id, and the implementation of an object on an engine.
 #include <fmt/format.h>
 
 #include "generator/frontend/library/other_names.hpp"

@@ -1,4 +1,4 @@
-// An object as a parameter: which model it has on an engine, and with which parameters.
+// An object as a parameter: its model on an engine, and the model's parameters.
 #include <fmt/format.h>
 
 #include "generator/frontend/parameters/config.hpp"
@@ -14,7 +14,8 @@ FormatPtr model_format() {
        format::name("the id of an object")});
 }
 
-/// What to do about something that is no object for the engine of the model: the first that is one.
+/// The help for an entity that is not an object for the model's engine: suggests the first one that
+/// is.
 std::string help_for_model(const Library& library, const Entity& engine) {
   for (const std::string& id : library.ids(EntityKind::object)) {
     if (library.find(id)->implementation(engine) != nullptr)

@@ -9,8 +9,9 @@
 
 namespace eagerx::gen {
 
-/// Bytes; a k is 1024 and an M is 1024 k, with or without a B or iB behind it. "1.5M" and "0x400"
-/// too. Nothing for other texts, for parts of a byte, and for what does not fit into 63 bits.
+/// Bytes; a k is 1024 and an M is 1024 k, with or without a trailing B or iB. Also "1.5M" and
+/// "0x400". nullopt for other text, for fractions of a byte, and for numbers that do not fit into
+/// 63 bits.
 std::optional<std::uint64_t> parse_bytes(std::string_view text);
 
 /// The units, the common ones first.

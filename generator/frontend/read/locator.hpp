@@ -1,4 +1,4 @@
-// Where things are in a YAML text: from the byte offsets of yaml-cpp's marks to spans.
+// Converts the byte offsets of yaml-cpp's marks into spans of a YAML text.
 #pragma once
 
 #include <cstddef>

@@ -20,7 +20,7 @@ struct Unit {
   Quantity quantity = Quantity::none;
   Rational scale;  // how many Hz, s, deg or dB it is; of 1, which has no unit
 };
-/// The unit of what has none.
+/// The unit of a number without a unit.
 const Unit& base_unit(Quantity quantity);
 
 /// A text that ends in letters or `%`, taken apart. "10 ms" is "10" and "ms"; "30" is "30" and "".
@@ -34,12 +34,12 @@ const Unit* find_unit(std::string_view name);
 /// Names of the units of a quantity, the common ones first.
 std::vector<std::string> units_of(Quantity quantity);
 
-/// A number with a unit of `quantity`, or without one, in its base unit. Nothing for other texts,
-/// for another unit, and for what does not fit.
+/// A number with a unit of `quantity`, or without one, in its base unit. nullopt for other text,
+/// another unit, and numbers that do not fit.
 std::optional<Rational> parse_quantity(std::string_view text, Quantity quantity);
 
-/// A number with a unit in `unit`: "10 ms" in s is 1/100. Nothing for what is no number with a unit
-/// of the same quantity.
+/// A number with a unit, converted to `unit`: "10 ms" in s is 1/100. nullopt if the text is not a
+/// number with a unit of the same quantity.
 std::optional<Rational> number_in(std::string_view text, const Unit& unit);
 
 /// The correction of a number whose unit is wrong: "30 hz" → "30 Hz", a time for a rate

@@ -10,8 +10,8 @@
 namespace eagerx::gen {
 
 /// A fraction of two 64 bit integers in lowest terms, or "overflowed" when a result does not fit or
-/// was divided by zero. Overflowed stays overflowed through every operation, so it need only be
-/// looked at once, at the end.
+/// was divided by zero. Overflow persists through every operation, so check it only once, at the
+/// end.
 class Rational {
  public:
   constexpr Rational() = default;

@@ -19,7 +19,7 @@ std::optional<std::int64_t> parse_whole(std::string_view text);
 /// Also multiples of pi: "pi", "-pi/2", "2*pi", "0.75 * pi", "3*pi/4".
 std::optional<double> parse_number(std::string_view text);
 
-/// Whether the text is such a number written in digits (not .inf or .nan), whatever its size.
+/// Whether the text is such a number in digits (not .inf or .nan), of any size.
 bool is_decimal_text(std::string_view text);
 
 /// "true" or "false" and nothing else: yes, no, on, off, True are not booleans.

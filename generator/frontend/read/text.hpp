@@ -1,4 +1,4 @@
-// From bytes to text that can be parsed: loading, limits, UTF-8, line ends.
+// Converts bytes into text to parse: loading, limits, UTF-8, line ends.
 #pragma once
 
 #include <cstddef>

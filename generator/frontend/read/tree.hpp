@@ -1,4 +1,4 @@
-// YAML text as a tree in which everything knows its place. Nothing outside read/ sees yaml-cpp.
+// YAML text as a tree whose nodes know their places. Nothing outside read/ sees yaml-cpp.
 #pragma once
 
 #include <cstdint>
@@ -16,21 +16,21 @@ namespace eagerx::gen {
 
 enum class YamlKind : std::uint8_t { null, scalar, sequence, map };
 
-/// The kind of a value. Files give only the first: what a user writes can say any
-/// text, and is never taken for one of the others.
+/// The origin of a value. Values in files always have the first: text of a user is never taken for
+/// one of the others.
 enum class Origin : std::uint8_t {
   written,
   unresolved,  // not known, and already reported: no further message about it
   python,      // an object that only Python knows; its text names it
 };
 
-/// Of an expression, or of what a stage of the generator adds. Whole numbers and decimals are exact
-/// as long as they fit into 64 bits; else a double.
+/// The number of an expression, or one that a stage of the generator adds. Whole numbers and
+/// decimals are exact if they fit into 64 bits, otherwise doubles.
 using ComputedNumber = std::variant<std::int64_t, double, Rational>;
 
 struct Reference;
 
-/// A value and what is below it. Maps keep their order and have no duplicate keys.
+/// A value and its descendants. Maps keep their order and have no duplicate keys.
 struct YamlValue {
   struct Entry;
 
@@ -65,7 +65,7 @@ struct YamlValue::Entry {
 YamlValue made_scalar(std::string text, Span span);
 YamlValue made_list(std::vector<YamlValue> items, Span span);
 
-/// Limits on what is read; past them there is an error, not a long wait.
+/// Limits for input; input beyond them causes an error instead of a long wait.
 struct ReadLimits {
   std::size_t max_bytes = 16U << 20U;
   std::size_t max_values = 2'000'000;  // aliases expanded

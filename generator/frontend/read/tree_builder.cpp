@@ -107,7 +107,7 @@ Span TreeBuilder::implicit_null_span(std::size_t offset) const {
 
 void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
   const Extent written = locator_.null_at(locator_.properties(offset_of(mark)).content);
-  // What is written at the mark may be the next key, if nothing is written for this value.
+  // If this value is empty, the text at the mark may be the next key.
   const bool explicit_null =
       written.end > written.begin && (key_expected() || !locator_.colon_follows(written.end));
   Built built;

@@ -1,4 +1,4 @@
-// Builds the tree from yaml-cpp's events, checking everything that yaml-cpp lets pass.
+// Builds the tree from yaml-cpp's events, and checks everything that yaml-cpp accepts.
 #pragma once
 
 #include <yaml-cpp/eventhandler.h>
@@ -52,7 +52,7 @@ class TreeBuilder : public YAML::EventHandler {
   [[nodiscard]] const std::vector<std::string>& anchor_names() const { return anchor_names_; }
 
  private:
-  /// A finished value and what a copy of it would cost.
+  /// A finished value, and the cost of a copy.
   struct Built {
     YamlValue yaml;
     std::size_t values = 1;

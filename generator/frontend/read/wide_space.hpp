@@ -1,4 +1,4 @@
-// Spaces of Unicode where YAML needs a plain one: editors and web pages insert them unseen.
+// Unicode spaces where YAML needs a plain one: editors and web pages insert them invisibly.
 #pragma once
 
 #include "generator/frontend/read/locator.hpp"

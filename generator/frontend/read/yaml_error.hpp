@@ -1,4 +1,4 @@
-// yaml-cpp's messages in the words of users who write graphs.
+// Rewords yaml-cpp's messages for users who write graphs.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace eagerx::gen {
 
-/// Adds the error that stands for a YAML::ParserException with this message at this offset (npos:
-/// nowhere). `builder` knows what was open at that moment.
+/// Adds the error for a YAML::ParserException with this message at this offset (npos: none).
+/// `builder` knows the collections that were open at that moment.
 void report_yaml_error(std::string_view message, std::size_t offset, const Locator& locator,
                        const TreeBuilder& builder, Diagnostics& diagnostics);
 

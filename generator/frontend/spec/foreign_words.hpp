@@ -1,4 +1,4 @@
-// Words of other libraries and languages, and the ones that mean the same here.
+// Words of other libraries and languages, and their equivalents here.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace eagerx::gen {
 
-/// The one of `known` that `word` is in other libraries: `normal` for `gaussian`, `terminated` for
-/// `done`. Empty if there is none.
+/// The equivalent in `known` of a `word` of other libraries: `normal` for `gaussian`, `terminated`
+/// for `done`. Empty if there is none.
 std::string foreign_word(std::string_view word, const std::vector<std::string>& known);
 
 /// "true" for `yes`, `on`, `True`, `1`; "false" for their opposites; else empty.

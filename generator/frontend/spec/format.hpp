@@ -1,5 +1,5 @@
-// The table that says what a file may contain. One table checks the file, explains it, and becomes
-// the JSON schema that editors complete from.
+// The table of a file's valid contents. The same table checks the file, explains it, and becomes
+// the JSON schema for editors.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ struct Field {
   std::string about;
 };
 
-/// Keys that users put into a record, and where they belong, as help: `KEYS` in it stands for those
-/// that are there.
+/// Keys that users misplace in a record, and help that says where they belong: `KEYS` in it is
+/// replaced by the keys found.
 struct Elsewhere {
   std::vector<std::string> keys;
   std::string help;
@@ -96,7 +96,7 @@ FormatPtr keyword(std::vector<std::string> words);
 FormatPtr list(std::string what, FormatPtr item, std::size_t min_items = 0);
 FormatPtr map(std::string what, FormatPtr item);
 FormatPtr file_map(std::string what);
-/// Keys may be names of what is in composites and arrays, which only `compose/` gives.
+/// Keys may be names inside composites and arrays, which only `compose/` makes.
 FormatPtr inner_map(std::string what, FormatPtr item);
 /// The name of a file or folder.
 FormatPtr file_name(std::string what);
@@ -113,8 +113,8 @@ FormatPtr one_of(std::string what, std::vector<FormatPtr> options);
 /// choice, E0205 not a name, E0209 a wrong unit.
 bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
 
-/// A tree that `check` has accepted, in which what was written with a unit is a number: of Hz or of
-/// seconds. "10 ms" becomes 1/100.
+/// Converts values with a unit into numbers, in Hz or seconds, in a tree that `check` has accepted.
+/// "10 ms" becomes 1/100.
 YamlValue in_base_units(YamlValue yaml, const Format& format);
 
 /// The format as JSON schema (draft-07).
@@ -133,7 +133,7 @@ inline constexpr std::size_t kLongestName = 100;
 bool is_identifier(std::string_view text);
 /// True for identifiers with `/` between them, each with or without an index: `arm/leg[2]`.
 bool is_inner_name(std::string_view text);
-/// Reports what is not an identifier (E0205). True if it is one.
+/// Reports text that is not an identifier (E0205). True if it is one.
 bool check_name(std::string_view text, Span span, Diagnostics& diagnostics);
 /// True if `text` would be an identifier, were it not taken by C++ or by generated code.
 bool is_reserved_name(std::string_view text);

@@ -1,4 +1,4 @@
-// A tree against its table, with every problem in plain words.
+// Checks a tree against its table, and explains every problem.
 #include <fmt/format.h>
 
 #include <runtime/host/base/renamed.hpp>

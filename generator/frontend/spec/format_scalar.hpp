@@ -8,7 +8,7 @@
 
 namespace eagerx::gen {
 
-/// Reports what is not of the format's kind (E0204), and is false.
+/// Reports a value of the wrong kind (E0204), and returns false.
 bool wrong_type(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
 void report_bad_name(std::string_view text, Span span, Diagnostics& diagnostics);
 bool check_scalar_name(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
@@ -18,7 +18,7 @@ bool check_path(const YamlValue& yaml, const Format& format, Diagnostics& diagno
 /// Reports a word that is a key of a mapping that `format` takes, too (E0204): `gaussian` is
 /// `{normal: {…}}`. False: it is none.
 bool report_word_for_key(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
-/// `otherwise`: what may be written instead of a keyword.
+/// `otherwise`: alternatives to a keyword.
 bool check_keyword(const YamlValue& yaml, const Format& format, const std::string& otherwise,
                    Diagnostics& diagnostics);
 bool check_number(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);

@@ -312,7 +312,7 @@ FormatPtr make_graph_format(GraphForm form) {
         "`size` check those of an image"},
        {"allow", format::list("a list of codes of warnings", format::text("a code such as W0103")),
         false, "warnings to suppress for this graph"},
-       // What compose/ takes away before anything is checked.
+       // Keys that compose/ removes before the checks.
        {"tunable", format::list("a list of parameters", format::port("`node.parameter`")), false,
         "parameters that a reset may set, as states: `controller.kp`"},
        {"extends",

@@ -17,7 +17,7 @@
 
 namespace eagerx::gen {
 
-/// Parts of a space; what is missing comes from the other end of a connection or from a manifest.
+/// Parts of a space; missing ones come from the other end of a connection or from a manifest.
 struct SpaceSpec {
   Span span;
   std::optional<Spanned<std::string>> like;  // an input (manifests) or a port (actions)
@@ -27,7 +27,7 @@ struct SpaceSpec {
   std::optional<YamlValue> high;
 };
 
-/// A sensor, actuator, input, output, action or observation that the user named, with what was set.
+/// A sensor, actuator, input, output, action or observation that the user named, with its settings.
 struct ComponentSpec {
   Spanned<std::string> name;
   std::optional<Spanned<Rational>> rate;
@@ -126,7 +126,7 @@ struct CompositeSpec {
   std::string type, about;          // id and summary of its manifest
   std::optional<Rational> rate_hz;  // where it has one
   bool is_object = false;
-  /// Its ports, and those of the flat graph that they stand for: "arm/shoulder/position.setpoint".
+  /// Its ports, and the corresponding ports of the flat graph: "arm/shoulder/position.setpoint".
   std::vector<std::pair<std::string, std::vector<std::string>>> inputs, outputs;
   Span span;
 };
@@ -163,7 +163,7 @@ struct GraphSpec {
 /// Most elements of an array.
 inline constexpr std::int64_t kLongestArray = 10'000;
 
-/// The table of the graph file; `flat`: of what `compose/` makes of it, with names such as
+/// The table of the graph file; `flat`: that of the result of `compose/`, with names such as
 /// `arm/leg[2]`.
 enum class GraphForm : std::uint8_t { written, flat };
 const Format& graph_format(GraphForm form = GraphForm::written);
@@ -200,7 +200,7 @@ FormatPtr agent_format();
 FormatPtr engine_nodes_format();
 FormatPtr safety_format();
 FormatPtr task_format();
-/// How a state is sampled, and nothing else of it.
+/// The distribution of a state alone.
 FormatPtr distribution_format();
 FormatPtr telemetry_format();
 FormatPtr budget_format();

@@ -1,4 +1,4 @@
-// A key that has a meaning, at another place than where it stands.
+// Keys that are valid elsewhere in the file.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Finding things by their names, which are texts or texts with a place.
+// Finds elements by name. Names are strings, with or without a place.
 #pragma once
 
 #include <algorithm>

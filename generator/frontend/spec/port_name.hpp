@@ -10,7 +10,7 @@ namespace eagerx::gen {
 struct PortName {
   std::string owner, section, name;
 
-  /// The name behind the owner: "theta", "sensors.theta".
+  /// The name after the owner: "theta", "sensors.theta".
   [[nodiscard]] std::string within_owner() const;
 };
 

@@ -30,9 +30,9 @@ std::string in_dollars(const Reference& reference);
 
 /// A reference that was not in a file, at `span`.
 YamlValue made_reference(Reference reference, Span span);
-/// Of a text that is one reference and nothing else.
+/// The reference in a text that contains nothing else.
 std::optional<Reference> parse_reference(std::string_view text);
-/// Of a value that is one; what is quoted is a text of its own.
+/// The reference in a value; quoted text is not a reference.
 std::optional<Reference> reference_in(const YamlValue& yaml);
 
 /// Whether the value computes something from references: `$(2 * config limit)`, `-$(config limit)`,

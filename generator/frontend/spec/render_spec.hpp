@@ -8,7 +8,7 @@
 
 namespace eagerx::gen {
 
-/// How connections call what draws.
+/// The name of the drawing node in connections.
 inline constexpr const char* kRender = "render";
 
 struct RenderSpec {

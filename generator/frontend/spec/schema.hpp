@@ -8,14 +8,14 @@
 
 namespace eagerx::gen {
 
-/// The schema of what `format` accepts.
+/// The schema of values that `format` accepts.
 Json schema_of(const Format& format);
 
-/// The schema of graphs, in which one that `extends:` another may leave out what that one says: the
-/// keys of the graph, of its engine, and of each object and node.
+/// The schema of graphs in which a graph with `extends:` may omit required keys: those of the
+/// graph, of its engine, and of each object and node.
 Json with_extending(Json graph);
 
-/// With the head of a file of its own.
+/// With the header of a separate file.
 std::string schema_text(const Json& schema, const std::string& title, const std::string& id);
 
 }  // namespace eagerx::gen

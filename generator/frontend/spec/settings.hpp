@@ -41,8 +41,8 @@ struct RandomSpec {
   std::optional<YamlValue> second;  // high; std
 };
 
-/// A rate in Hz, a time in seconds or a number of messages, as exact as it is written; in a
-/// manifest perhaps an expression of references, `$(config limit)`.
+/// An exact rate in Hz, time in seconds or number of messages; in a manifest possibly an expression
+/// of references, `$(config limit)`.
 struct QuantitySpec {
   std::variant<Rational, YamlValue> value;
   Span span;
@@ -69,10 +69,10 @@ struct ConnectionSettings {
 /// `base` with everything that `over` says.
 ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& over);
 
-// What settings mean, with the default of what is not said.
-/// 1 if nothing is said; nullopt if it is a reference.
+// Values of settings, or their defaults.
+/// 1 if not set; nullopt for a reference.
 std::optional<std::uint32_t> window_of(const ConnectionSettings& settings);
-/// In seconds, 0 if nothing is said; nullopt if it is a reference.
+/// In seconds; 0 if not set; nullopt for a reference.
 std::optional<Rational> delay_of(const ConnectionSettings& settings);
 bool skips(const ConnectionSettings& settings);
 
@@ -82,9 +82,9 @@ std::optional<YamlValue> value_at(const YamlValue& yaml, std::string_view key);
 std::vector<Setting> read_config(const YamlValue* yaml);
 ProcessorSpec read_processor(const YamlValue& yaml);
 QuantitySpec read_quantity(const YamlValue& yaml);
-/// Of an expression that is one reference and nothing else.
+/// The reference in an expression that contains nothing else.
 std::optional<Reference> reference_in(const QuantitySpec& quantity);
-/// nullopt if nothing is said of the value, or E0206 if too much is.
+/// nullopt without a value; E0206 if there are several.
 std::optional<RandomSpec> read_random(const YamlValue& yaml, Diagnostics& diagnostics);
 /// Of the mapping of a connection, or of a port in a graph or a manifest.
 ConnectionSettings read_connection_settings(const YamlValue& yaml, Diagnostics& diagnostics);

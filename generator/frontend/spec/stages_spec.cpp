@@ -1,4 +1,4 @@
-// `stages:` of a task: what a training begins with.
+// `stages:` of a task: the first phases of a training.
 #include <fmt/format.h>
 
 #include "generator/frontend/read/number.hpp"

@@ -46,7 +46,7 @@ struct StageStateSpec {
   RandomSpec random;
 };
 
-/// A part of a training, before the graph as it is written.
+/// A part of a training, before the graph as written.
 struct StageSpec {
   Spanned<std::string> name;
   std::vector<StageStateSpec> states;
@@ -72,8 +72,8 @@ struct TaskSpec {
 /// E0206 `over_last` without a condition, a name that `critic` or `stages` has twice.
 TaskSpec read_task_spec(const YamlValue& yaml, Diagnostics& diagnostics);
 
-/// `stages:` of a task. Problems: E0202 `until` that says nothing, E0204 a share that is none,
-/// E0206 a name twice.
+/// `stages:` of a task. Problems: E0202 an empty `until`, E0204 an invalid share, E0206 a duplicate
+/// name.
 FormatPtr stages_format();
 std::vector<StageSpec> read_stages(const YamlValue* yaml, Diagnostics& diagnostics);
 

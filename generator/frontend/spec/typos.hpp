@@ -8,13 +8,13 @@
 
 namespace eagerx::gen {
 
-/// Within `{…}` a number ends at its comma, and what follows is a key: `{kd: 1,5}`. Reports it
-/// (E0203) if that is what entry `i` is.
+/// Within `{…}` a number ends at its comma, and the rest is a key: `{kd: 1,5}`. Reports this
+/// (E0203) if it applies to entry `i`.
 bool report_decimal_comma(const std::vector<YamlValue::Entry>& entries, std::size_t i,
                           Diagnostics& diagnostics);
 
-/// The mapping in front of entry `i` that it was surely meant to be in, were it indented: `nodes`.
-/// Empty if there is none.
+/// The mapping before entry `i` to which the entry would belong if it were indented: `nodes`. Empty
+/// if there is none.
 std::string outdented_from(const YamlValue& record, std::size_t i, const Format& format);
 
 /// How many entries from `i` on are settings of the one before, which has none: they are not

@@ -1,4 +1,5 @@
-// Some nodes of a graph as a graph of their own, for a main loop that brings what they measure.
+// Cuts some nodes out of a graph as a separate graph, for a main loop that supplies their
+// measurements.
 #pragma once
 
 #include <optional>
@@ -16,13 +17,13 @@ struct CutRequest {
   std::optional<SafetySpec> safety;  // of the graph: its names are those of ports at the cut
 };
 
-/// The nodes of `whole` that the names call. What they take from others become actions, what others
-/// take from them observations: with the names of a composite's ports, else of the port that sends.
-/// Rates, windows, delays, states and processors stay; a step is the longest time that all ticks of
-/// ports are multiples of. An action whose messages come less often than that goes through a node
-/// of its rate. `whole` must be resolved with success. Problems: E0307 an unknown name, E0397 what
-/// cannot be cut out, E0398 nodes outside that a step would need in its middle, E0399 nothing that
-/// leaves, and those of read_safe_outputs(); W0117 a step that no port has the rate of.
+/// Cuts out the named nodes of `whole`. Messages from other nodes become actions, and messages to
+/// other nodes observations, named like the ports of a composite, or else like the sending port.
+/// Rates, windows, delays, states and processors stay; a step is the greatest common divisor of the
+/// ports' periods. An action with a lower rate passes through a node of its rate. `whole` must be
+/// resolved without errors. Problems: E0307 an unknown name, E0397 nodes that cannot be cut out,
+/// E0398 outside nodes that a step would need halfway, E0399 no outputs, and those of
+/// read_safe_outputs(); W0117 no port has the rate of the step.
 std::optional<Graph> cut_out(const Graph& whole, const CutRequest& request,
                              Diagnostics& diagnostics);
 

@@ -1,5 +1,4 @@
-// How old the data of a sensor are when they reach an actuator, or those of an action in an
-// observation.
+// Age of sensor data at an actuator, and of an action in an observation.
 #pragma once
 
 #include <optional>
@@ -18,11 +17,10 @@ struct AgeEdge {
 };
 
 /// Data of one end at the ticks of the other, from the first tick on at which every window is full
-/// and every delay has passed. A message is as old as the time since its sender's tick. A path goes
-/// through every node at most once: what a node remembers does not count. Of a delay that may
-/// change the longest counts. In a graph without an engine a step takes an action and returns the
-/// next observation at once: their age is counted between the calls, so it lacks the time of one
-/// step.
+/// and every delay has passed. A message is as old as the time since its sender's tick. A path
+/// passes every node at most once: the memory of nodes does not count. For a variable delay, the
+/// longest one counts. In a graph without an engine, a step takes an action and immediately returns
+/// the next observation: the age is counted between calls, so it lacks one step.
 struct DataAge {
   std::string from, to;              // a sensor and an actuator, or an action and an observation
   Rational newest_s;                 // of the freshest data in it, at the worst tick

@@ -31,15 +31,15 @@ struct LinkLoad {
 struct Link {
   std::vector<LinkMessage> messages;  // by name, sensors first
   LinkLoad sensors, actuators;
-  /// The load of both directions at once, each on its own wire.
+  /// The larger load of the two directions, each on its own wire.
   [[nodiscard]] const Rational& baud() const {
     return sensors.baud < actuators.baud ? actuators.baud : sensors.baud;
   }
 };
 
-/// Bytes of a frame besides its elements, as split programs have it (targets/README.md): two
-/// delimiters, COBS (one more for every 254 bytes, not counted), kind, number, CRC-32C; and the
-/// bits of a byte with start and stop bit.
+/// Overhead of a frame in bytes in split programs (targets/README.md): two delimiters, COBS (one
+/// more for every 254 bytes, not counted), kind, number, CRC-32C; and the bits of a byte with start
+/// and stop bits.
 inline constexpr std::int64_t kFrameBytes = 12;
 inline constexpr std::int64_t kBitsOfByte = 10;
 

@@ -10,7 +10,7 @@
 
 namespace eagerx::gen {
 
-/// Between what paths are looked for.
+/// The ends of the paths to find.
 struct PathEnds {
   bool from_actions = false;     // else from sensors
   bool to_observations = false;  // else to actuators
@@ -22,7 +22,7 @@ struct PathEnds {
 /// From sensors to actuators; without an engine from actions to observations.
 PathEnds usual_ends(const Graph& graph);
 
-/// The names of what can be an end, whether or not a path leads there, sorted.
+/// The sorted names of possible ends, with or without a path.
 std::vector<std::string> names_of_sources(const Graph& graph, bool actions);
 std::vector<std::string> names_of_destinations(const Graph& graph, bool observations);
 
@@ -40,8 +40,8 @@ class PathFinder {
   PathFinder& operator=(const PathFinder&) = delete;
   using Pair = std::pair<std::string, std::string>;  // from, to
   [[nodiscard]] const std::map<Pair, Paths>& paths() const { return paths_; }
-  /// Connections that a path from `from` to `to` may go over, but that are too slow or too long to
-  /// say by how much data age on them. No path goes over them. An empty name stands for every end.
+  /// Connections on possible paths from `from` to `to` whose contribution to the age is unknown,
+  /// because they are too slow or too long. No path uses them. An empty name means every end.
   [[nodiscard]] std::vector<const Input*> unknown_between(const std::string& from,
                                                           const std::string& to) const;
 

@@ -1,13 +1,13 @@
-// How far the hub of a placed graph may continue while a part calculates.
+// How far the hub of a placed graph may run ahead while a part calculates.
 #pragma once
 
 #include "generator/graph/plan/plan.hpp"
 
 namespace eagerx::gen {
 
-/// Writes into the links of `split` which parts are asked for messages before these are needed, how
-/// many exchanges may be in flight, and why no more; and into `split` how much waits for them.
-/// Needs everything else of both.
+/// Sets in the links of `split` the parts whose messages are requested before they are needed, how
+/// many exchanges may be in flight, and the reason for that limit; and in `split` the size of the
+/// pending trace. Needs all other members of both.
 void plan_pipelining(const Plan& plan, Split& split);
 
 }  // namespace eagerx::gen

@@ -79,7 +79,8 @@ class Planner {
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       for (std::size_t o = 0; o < graph_.nodes[n].outputs.size(); ++o) {
         const Output& output = graph_.nodes[n].outputs[o];
-        // What only pictures need is left out of programs without pictures, and so of all traces.
+        // Traces omit channels that only pictures need, because programs without pictures lack
+        // them.
         if (!graph_.nodes[n].drawn)
           plan_.channels.push_back({graph_.nodes[n].name + "/" + output.name, n, o,
                                     port_of(graph_.nodes[n], output),

@@ -1,4 +1,4 @@
-// The graph in time and memory: who runs when, in what order, and where every message lives.
+// The graph in time and memory: when and in what order nodes run, and where messages are stored.
 #pragma once
 
 #include <cstdint>
@@ -66,8 +66,9 @@ struct PlannedNode {
 struct Channel {
   std::string name;
   std::size_t node = 0, output = 0;
-  // As graphs call it: "smooth.filtered", "pendulum.theta", "actions.u", "arm.x, arm.same". Sensors
-  // that processors of their own make of it are others: then it is "arm/state.observation".
+  // Its names in graphs: "smooth.filtered", "pendulum.theta", "actions.u", "arm.x, arm.same".
+  // Sensors with their own processors have other messages; the name is then
+  // "arm/state.observation".
   std::string port = {};
   std::vector<std::string> aliases = {};  // ports of composites that it is: "robot.speed"
 };
@@ -83,7 +84,7 @@ enum class ScheduleForm : std::uint8_t {
 const char* text_of(ScheduleForm form);
 
 struct Schedule {
-  /// Neighbouring slots that are alike.
+  /// Consecutive equal slots.
   struct Run {
     std::uint64_t mask = 0;
     std::size_t slots = 0;
@@ -109,8 +110,8 @@ struct PartLink {
                                 // where they are read
   std::size_t depth = 1;        // exchanges in flight at most
   std::string why_no_more;      // what keeps the hub from going further
-  /// By node: the number of its ticks after it has sent a message at which the hub hands that on to
-  /// this part, and the part expects it; message 0 at once.
+  /// By node: the number of its ticks after sending a message at which the hub forwards it to this
+  /// part, and the part expects it; message 0 is forwarded immediately.
   std::vector<std::uint64_t> lags;
 };
 struct Split {

@@ -12,18 +12,19 @@ namespace eagerx::gen {
 /// Needs everything of the plan but the split, and the graph's placement.
 Split make_split(const Plan& plan);
 
-/// A program's use of a message at its links, each named by its part. A part has one, its
-/// own; the hub has all, and hands on what goes from one part to others.
+/// A program's use of a message at its links, each named after its part. A part has only its own
+/// link; the hub has all links, and forwards messages between parts.
 struct LinkUse {
   std::optional<std::size_t> from;
   std::vector<std::size_t> to;
   [[nodiscard]] bool any() const { return from || !to.empty(); }
 };
 LinkUse link_use(const Plan& plan, Part part, std::size_t node, std::size_t output);
-/// The same of what all programs know: whether the reset node `node` has reached its targets.
+/// The same for the flags of the reset node `node`, whether it has reached its targets, which all
+/// programs receive.
 LinkUse link_use_of_flags(const Graph& graph, Part part, std::size_t node);
 
-/// Whether the program `part` is the hub and asks for what `node` sends, without waiting for it.
+/// Whether the program `part` is the hub and requests the messages of `node` without waiting.
 bool is_pipelined(const Plan& plan, Part part, std::size_t node);
 
 }  // namespace eagerx::gen

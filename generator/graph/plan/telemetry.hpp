@@ -1,5 +1,5 @@
-// The telemetry of a board: which messages in which record, how many of them, and the load of
-// the line. runtime/eagerx/link/telemetry.hpp is what does it.
+// Plan of a board's telemetry: the messages in each record, how many, and the load of the line.
+// runtime/eagerx/link/telemetry.hpp implements it.
 #pragma once
 
 #include "generator/graph/plan/plan.hpp"

@@ -14,9 +14,9 @@ namespace eagerx::gen {
 /// begin.
 std::string why_not_vectorized(const Plan& plan);
 
-/// Whether SIMD groups run a node one lane after the other: it is written for plain numbers or
-/// gets another number of messages in each lane. Engines, objects and engine nodes cannot: what
-/// they simulate is in lanes.
+/// Whether SIMD groups run a node lane by lane: it is written for plain numbers, or receives a
+/// different number of messages in each lane. Not possible for engines, objects and engine nodes,
+/// whose simulation is vectorized.
 bool runs_lane_by_lane(const GraphNode& node);
 
 /// Steps after which every rate is due again; 1 where all rates are multiples of the environment's.

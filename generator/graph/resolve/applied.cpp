@@ -1,4 +1,4 @@
-// Bounds of an applied action: its own space, and those of the actuators that get it as it is.
+// Bounds of an applied action: its own space, and those of the actuators that receive it unchanged.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Bounds of spaces, and how they are looked up.
+// Bounds of spaces, and their lookup.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace eagerx::gen {
 
-/// Bounds must be one number or one for each element, fit the dtype, and leave something between
-/// them (E0326 at `place`). Nothing else may look at bounds that were not checked.
+/// Checks that bounds are one number or one for each element, fit the dtype, and leave a nonempty
+/// range (E0326 at `place`). Call it before any other use of bounds.
 bool check_bounds(const Space& space, Span place, Diagnostics& diagnostics);
 /// Where the bounds are written, if that is in the file of `otherwise`.
 Span place_of_bounds(const PartialSpace& space, Span otherwise);

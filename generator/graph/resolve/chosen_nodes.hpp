@@ -1,4 +1,4 @@
-// Nodes as `placement:`, `--split` and `--of` call them.
+// Nodes as `placement:`, `--split` and `--of` name them.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ namespace eagerx::gen {
 /// name; or a part of such a composite.
 enum class Called : std::uint8_t { no, itself, inside };
 
-/// Whether `node` ("leg[2]/knee") is called by `name`: "leg[2]/knee", "leg[2]", "leg",
-/// "leg[*]/knee". A `*` stands for any index.
+/// Whether `name` matches `node` ("leg[2]/knee"): "leg[2]/knee", "leg[2]", "leg", "leg[*]/knee".
+/// `*` matches any index.
 Called is_called(std::string_view node, std::string_view name);
 
 /// The one of the nodes, composites and arrays in `known` that `name` means where none is called

@@ -5,8 +5,8 @@
 
 namespace eagerx::gen {
 
-/// The inputs of a training's critic (E0307). Its inputs of the task get an output each, of the
-/// task's node, behind the terms (E0315).
+/// Adds the inputs of a training's critic (E0307). Each of its inputs that is an input of the task
+/// gets an output of the task's node, after the terms (E0315).
 void add_critic_outputs(UnresolvedGraph& draft, UnresolvedNode& task);
 void resolve_critic(UnresolvedGraph& draft);
 

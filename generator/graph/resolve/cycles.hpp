@@ -1,4 +1,4 @@
-// Connections in a circle, of which one must skip.
+// Cycles of connections: one connection of each must skip.
 #pragma once
 
 #include "generator/graph/resolve/unresolved_graph.hpp"

@@ -42,7 +42,8 @@ struct Processor {
   [[nodiscard]] std::string names() const;
 };
 
-/// An output: `raw` is what the callback writes, `space` what is published after the processor.
+/// An output: `raw` is the space of the callback's message, `space` that of the published message
+/// after the processor.
 struct Output {
   std::string name;
   std::vector<std::string>
@@ -84,8 +85,8 @@ struct Input {
   std::optional<Random> random_delay;
   bool skip = false;
   bool actuator = false;  // of an object, `written` is its name
-  // Of an actuator: what it takes, before a processor of the object; not known behind one of the
-  // graph.
+  // The input space of an actuator, before a processor of the object; unknown after a processor of
+  // the graph.
   std::optional<Space> actuator_space;
   bool feedthrough = false;  // of a reset node: `name` is the output that it is passed on to
   Span span;
@@ -141,7 +142,7 @@ struct GraphNode {
   [[nodiscard]] std::vector<std::string> ports_of(const Output& output) const;
 };
 
-/// A state of an object that the graph does not write: a reset leaves it as it is.
+/// A state of an object that the graph does not set: a reset keeps its value.
 struct KeptState {
   std::string name;
   bool bounded = false;                  // its space has both bounds, so it could be sampled
@@ -200,8 +201,7 @@ struct Safety {
   Span span;
 };
 
-/// The applicable range of an action: its space without what an actuator that it is connected to
-/// does not take.
+/// The applicable range of an action: the intersection of its space with those of its actuators.
 struct AppliedAction {
   Space space;
   std::string narrowed_by;  // "pendulum.u"; empty if that is the action's own space
@@ -216,8 +216,8 @@ struct TaskExpression {
   Span span;            // of the name
 };
 
-/// An input of a training's critic besides the observations: an input of the task, which then
-/// has an output `critic_NAME`, or a state as the episode began with it.
+/// An input of a training's critic in addition to the observations: an input of the task, which
+/// then has an output `critic_NAME`, or the initial value of a state.
 struct CriticInput {
   std::string name;                  // "speed", "pendulum.mass"
   std::optional<std::size_t> input;  // of the task's node; without: a state
@@ -241,7 +241,7 @@ struct StageState {
   Random random;
 };
 
-/// A part of a training, before the graph as it is written. No program knows of it.
+/// A part of a training, before the graph as written. Programs ignore it.
 struct Stage {
   std::string name;
   std::vector<StageState> states;
@@ -264,8 +264,7 @@ struct Task {
   Span span;
   /// "pendulum.model_state uniform from [0] to [1]; effort times -0.1; until success 0.9"
   [[nodiscard]] std::string describe(const Stage& stage) const;
-  /// The first outputs of its node; those after them are the terms, then what the critic
-  /// sees.
+  /// The first outputs of its node; the terms follow, then the critic's inputs.
   enum Output : std::uint8_t { reward, terminated_output, truncated_output, success_output, term };
 };
 
@@ -290,7 +289,7 @@ struct Telemetry {
   Span span, baud_span;
 };
 
-/// A program of its own for some nodes, linked with the one of the rest.
+/// A separate program for some nodes, linked to the program of the rest.
 struct PlacedPart {
   std::string name;                // of its folder and in messages
   const Target* target = nullptr;  // a board, or Linux
@@ -316,7 +315,7 @@ struct CutPort {
   Rational rate_hz;                     // of its messages
   std::optional<std::string> actuator;  // of an observation: what it drives, as it is
 };
-/// The facts of such a graph; its environment stands for everything around it.
+/// The facts of such a graph; its environment represents everything outside.
 struct Cut {
   std::vector<CutPort> actions, observations;  // in the order of the environment's
   std::shared_ptr<const Entity> port;          // of nodes that take actions at slower rates
@@ -337,8 +336,7 @@ struct Graph {
   std::optional<Render> render;
   std::optional<Telemetry> telemetry;
   std::optional<Cut> cut;
-  /// Of each port that a composite's port stands for, how the graph calls it: "robot/meter.y" is
-  /// "robot.v".
+  /// For each port behind a composite's port, its name in the graph: "robot/meter.y" is "robot.v".
   std::multimap<std::string, std::string> composite_ports;
   bool asynchronous = false;  // inputs take what has arrived instead of counting
   Rational reset_timeout_s = Rational(60);

@@ -95,7 +95,7 @@ std::vector<std::string> packages_of(const Graph& graph, Part part) {
 void check_system(const Graph& graph, Part part, const Target& target, const Library& library,
                   Diagnostics& diagnostics) {
   std::set<std::string> reported;
-  // What belongs to an engine that cannot run here need not be named too.
+  // If the engine cannot run here, its own entities are not reported as well.
   bool is_engine = !part.is_placed() && graph.has_engine();
   const bool engine_runs = !is_engine || missing(*graph.engine().entity, target).empty();
   for_each_entity(graph, part, [&](const Entity& entity, Span span) {

@@ -11,7 +11,7 @@ namespace eagerx::gen {
 void add_environment(UnresolvedGraph& draft);
 void add_engine(UnresolvedGraph& draft, const ResolveOptions& options);
 void add_nodes(UnresolvedGraph& draft);
-/// One of them, whose optional inputs are there if `connected` has their names.
+/// A node, whose optional inputs exist if `connected` has their names.
 UnresolvedNode node_of(UnresolvedGraph& draft, const EntitySpec& spec,
                        const std::set<std::string_view>& connected);
 

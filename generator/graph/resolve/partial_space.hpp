@@ -1,4 +1,4 @@
-// Spaces as far as they are written, until dtype and shape are known.
+// Incomplete spaces, until dtype and shape are known.
 #pragma once
 
 #include <optional>
@@ -31,7 +31,7 @@ PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::stri
 /// The space if dtype and shape are known.
 std::optional<Space> complete(const PartialSpace& partial);
 PartialSpace partial_of(const Space& space);
-/// Whether what arrives has the dtype and shape that are declared, where they are.
+/// Whether the arriving message has the declared dtype and shape, if declared.
 bool fits(const PartialSpace& declared, const Space& arriving);
 /// "float32 [2]", "any dtype, any shape"
 std::string describe(const PartialSpace& space);

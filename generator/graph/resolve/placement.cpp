@@ -25,7 +25,7 @@ class Placer {
     std::vector<std::optional<std::size_t>> parts;
     parts.reserve(items.size());
     for (const auto& item : items) parts.push_back(part_of(item));
-    // What is named itself is not with the rest.
+    // Nodes that are placed by name do not go with the rest.
     for (std::size_t i = 0; i < items.size(); ++i)
       if (parts[i] && !is_rest(items[i])) place(items[i], *parts[i]);
     for (std::size_t i = 0; i < items.size(); ++i)

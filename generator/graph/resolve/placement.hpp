@@ -1,4 +1,4 @@
-// Which program a node runs in.
+// Assigns each node to a program.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace eagerx::gen {
 
-/// The placement of nodes in programs (E0332 what cannot be placed, E0333 what is placed twice,
-/// E0334 targets that are no partners).
+/// Places nodes in programs (E0332 an element that cannot be placed, E0333 one that is placed
+/// twice, E0334 a target that cannot run a part).
 void place_parts(UnresolvedGraph& draft, const std::vector<PlacementSpec>& placement);
 
 }  // namespace eagerx::gen

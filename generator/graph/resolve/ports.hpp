@@ -1,4 +1,4 @@
-// Ports of nodes and objects, from their manifests and from what a graph says of them.
+// Ports of nodes and objects, from their manifests and their settings in the graph.
 #pragma once
 
 #include <string>
@@ -18,14 +18,14 @@ UnresolvedOutput draft_output(const PortManifest& port, Span span, const Referen
                               Diagnostics& diagnostics);
 UnresolvedInput draft_input(const PortManifest& port, const std::string& written, Span span,
                             const References& references, Diagnostics& diagnostics);
-/// Applies what a graph adds to an output of a manifest: a processor, and the space of what is
-/// published.
+/// Applies a graph's settings to an output of a manifest: a processor, and the space of the
+/// published message.
 void apply_overrides(UnresolvedOutput& output, const ComponentSpec& said,
                      const std::string& written, Diagnostics& diagnostics);
 /// The settings of a port, or nullptr.
 const ComponentSpec* find_component(const Selection& selection, std::string_view name);
-/// Reports names in the selection that are none of the entity's `ports` (E0307); true if there was
-/// any. `what` they are: "sensor", "input", …
+/// Reports names in the selection that are not among the entity's `ports` (E0307); true if there
+/// are any. `what`: their kind, "sensor", "input", …
 bool report_unknown(const Selection& selection, const std::vector<PortManifest>& ports,
                     const Entity& entity, std::string_view what, Diagnostics& diagnostics);
 /// E0308: an engine node or state that is of other engines.

@@ -1,4 +1,4 @@
-// Processors: what they take must arrive, what they give is the receiver's space.
+// Processors: checks their input space, and gives the receiver their output space.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ namespace eagerx::gen {
 /// message comes from. Problems: E0303 to E0306, E0312.
 std::optional<Processor> make_processor(UnresolvedGraph& draft, const ProcessorSpec& spec,
                                         const Space& arriving, Span source);
-/// The processors that turn a message with the space `arriving` into what is declared, as a
-/// connection names them: "processor: {type: GetIndex, config: {index: [0]}}".
+/// Processors that convert a message with the space `arriving` to the declared space, as text for a
+/// connection: "processor: {type: GetIndex, config: {index: [0]}}".
 std::vector<std::string> fitting_processors(const Library& library, const PartialSpace& takes,
                                             const Space& arriving);
 

@@ -1,4 +1,4 @@
-// Which engine nodes of an object are needed.
+// Finds the engine nodes of an object that are needed.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,9 @@ struct InnerLink {
   std::size_t from, to;
 };
 
-/// For each of `nodes`, whether it is needed. EAGERx's rule: those of `sensors` in use and those
-/// that used `actuators` feed, descendants of the latter that are synchronised with the engine, and
-/// what these need.
+/// For each of `nodes`, whether it is needed. EAGERx's rule: the nodes of used `sensors`, the nodes
+/// that used `actuators` feed, descendants of the latter that are synchronized with the engine, and
+/// the ancestors of all these.
 std::vector<bool> needed_engine_nodes(const std::vector<UnresolvedNode>& nodes,
                                       const std::vector<InnerLink>& links,
                                       const std::vector<std::size_t>& sensors,

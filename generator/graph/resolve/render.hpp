@@ -1,4 +1,4 @@
-// The node that hands on what is shown.
+// The node that forwards the picture of `render:`.
 #pragma once
 
 #include "generator/graph/resolve/unresolved_graph.hpp"

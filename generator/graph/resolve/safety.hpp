@@ -11,9 +11,9 @@ namespace eagerx::gen {
 
 /// The values of `$(safety KEY)` in manifests.
 References safety_references(const GraphSpec& spec);
-/// Adds what `$(safe ACTUATOR)` means in the implementation of `object`, whose own references are
-/// `references`: its value in `safety:`, else that of the action that is connected to it, else zero
-/// moved into its space. Problems: E0307, E0327.
+/// Adds the values of `$(safe ACTUATOR)` in the implementation of `object` to its `references`: the
+/// value in `safety:`, otherwise that of the connected action, otherwise zero moved into its space.
+/// Problems: E0307, E0327.
 void add_safe_actuators(UnresolvedGraph& draft, const EntitySpec& object, const Entity& entity,
                         References& references);
 void resolve_safety(UnresolvedGraph& draft);  // safe actions, in the spaces of the actions

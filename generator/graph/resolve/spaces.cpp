@@ -31,7 +31,7 @@ class SpaceResolver {
     guess_actions();
     while (sweep()) {
     }
-    // What a loop leaves open is taken from what its inputs are declared with.
+    // Spaces in a loop that are still unknown come from the declarations of its inputs.
     use_declared_ = true;
     while (sweep()) {
     }
@@ -40,7 +40,7 @@ class SpaceResolver {
   }
 
  private:
-  /// A port's space once it is known; `settled` also when it was refused, so that nothing is said
+  /// A port's space once it is known; `settled` also after an error, so that no problem is reported
   /// twice.
   template <class PortType>
   struct Slot {

@@ -5,8 +5,7 @@
 
 namespace eagerx::gen {
 
-/// The stages of a training (E0307 names, E0327 ranges, E0352 what no
-/// stage can be).
+/// Resolves the stages of a training (E0307 names, E0327 ranges, E0352 invalid stages).
 void resolve_stages(UnresolvedGraph& draft);
 
 }  // namespace eagerx::gen

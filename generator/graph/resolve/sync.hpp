@@ -5,7 +5,7 @@
 
 namespace eagerx::gen {
 
-/// `sync: false` (E0338 what does not go together with it).
+/// Checks `sync: false` (E0338 conflicts with it).
 void check_sync(UnresolvedGraph& draft);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// The node that computes what a step was worth.
+// The node that computes the reward of a step.
 #pragma once
 
 #include "generator/graph/resolve/unresolved_graph.hpp"

@@ -1,4 +1,4 @@
-// Which messages boards send.
+// Messages that boards send.
 #pragma once
 
 #include "generator/graph/resolve/unresolved_graph.hpp"

@@ -1,4 +1,4 @@
-// Names at the beginning of connections' ends that nothing in the graph has.
+// Unknown owners in the ends of connections.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,19 @@
 
 namespace eagerx::gen {
 
-/// Gathers them before they are said: where an object's own name is mistyped, all of its
-/// connections are right, and it is one mistake.
+/// Collects them before reporting: if an object's own name is mistyped, all of its connections are
+/// right, and there is only one mistake.
 class UnknownOwners {
  public:
   explicit UnknownOwners(UnresolvedGraph& draft) : draft_(draft) {}
 
   /// Whether the next unknown name is compared with the known ones.
   [[nodiscard]] bool helps() const { return unknown_.size() < kMostHelped; }
-  /// Port `port` at `span` has an owner that is none of `known`. Returns the one that is meant, or
-  /// nothing.
+  /// Adds a port `port` at `span` whose owner is not in `known`. Returns the owner that is probably
+  /// meant, or an empty text.
   std::string add(const PortName& port, Span span, std::vector<std::string> known);
-  /// E0309 for each place, or one for all if it is the name of an object or a node that is
-  /// mistyped: what follows from that is not said later.
+  /// Reports E0309 for each place, or once for all if the name of the object or node itself is
+  /// mistyped: consequences are not reported later.
   void report();
 
  private:
@@ -42,8 +42,8 @@ class UnknownOwners {
     std::string near;
   };
 
-  /// The port that `owner.port` is with other separators, or with what is around it; empty if there
-  /// is none: `robot.body.v` and `body.v` are `robot/body.v`.
+  /// The port that `owner.port` means with other separators, or with a prefix; empty if there is
+  /// none: `robot.body.v` and `body.v` are `robot/body.v`.
   static std::string spelled(const Unknown& unknown, const Place& place);
   [[nodiscard]] bool is_used(std::string_view owner) const;
   void report_declared(const Unknown& unknown, Span declared);

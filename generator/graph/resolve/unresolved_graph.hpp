@@ -1,4 +1,5 @@
-// The graph while it is being resolved: ports are known, spaces and connections not yet all.
+// The graph while it is being resolved: all ports are known, but not yet all spaces and
+// connections.
 #pragma once
 
 #include <deque>
@@ -73,7 +74,8 @@ struct PortIndex {
 struct UnresolvedSensor {
   std::string written;  // "pendulum.theta"
   PortIndex output;
-  // For these readers alone, as the output has other sensors. What is empty is as the output says.
+  // Overrides for these readers only, because the output has other sensors. Empty members are those
+  // of the output.
   PartialSpace taken;  // bounds of what comes from there
   std::optional<ProcessorSpec> processor;
   PartialSpace space = {};     // what that gives
@@ -108,17 +110,17 @@ struct UnresolvedGraph {
   [[nodiscard]] const Entity* engine() const {
     return spec.has_engine() ? nodes[Graph::kEngine].node.entity : nullptr;
   }
-  /// A node that no entity of the graph is: what the generator itself adds.
+  /// Whether the generator itself adds the node, which is not an entity of the graph.
   [[nodiscard]] bool is_added(std::size_t node) const { return node == task || node == render; }
   void add_object(UnresolvedObject object);
-  /// nullptr: there is none of this name.
+  /// nullptr if no object has this name.
   [[nodiscard]] const UnresolvedObject* find_object(std::string_view name) const;
   /// Whether a node, or the object that an engine node is of, has such a problem.
   [[nodiscard]] bool is_doubtful(const UnresolvedNode& node) const;
 };
 
-/// While the ports of an object or a node are made: if a problem is reported meanwhile, it is the
-/// cause, and what would be said of connections to these ports only follows from it.
+/// Active while the ports of an object or a node are made. If a problem is reported in that time,
+/// problems of connections to these ports are consequences, and are not reported.
 class MakingPorts {
  public:
   MakingPorts(UnresolvedGraph& draft, std::string name)

@@ -1,4 +1,4 @@
-// Whether a policy fits the graph: the numbers it takes and gives against observations and actions.
+// Checks that a policy fits the graph: its inputs and outputs against observations and actions.
 #pragma once
 
 #include "generator/policy/agent/use.hpp"

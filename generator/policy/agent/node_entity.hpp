@@ -1,4 +1,4 @@
-// A node that runs a policy, as an entity of the library: the graph has no manifest for it.
+// A node that runs a policy, as an entity of the library: it has no manifest.
 #pragma once
 
 #include "generator/frontend/library/library.hpp"

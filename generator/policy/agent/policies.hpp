@@ -1,5 +1,5 @@
-// The policies of a graph: their weights are read before it is resolved, as nodes that run one take
-// their outputs from them, and are checked against it afterwards.
+// The policies of a graph. Their weights are read before the graph is resolved, because they
+// determine the outputs of nodes that run them, and are checked against it afterwards.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Whether the graph's actions are those of a policy's training.
+// Compares the graph's actions with those of a policy's training.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Whether actions and observations of the graph are those of a policy's training. Inside
+// Compares the graph's actions and observations with those of a policy's training. Inside
 // generator/policy/agent only.
 #pragma once
 

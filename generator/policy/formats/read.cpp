@@ -1,4 +1,4 @@
-// From a path to bytes to the reader of the format.
+// Reads a file, and calls the reader of its format.
 #include "generator/policy/formats/read.hpp"
 
 #include <fmt/core.h>

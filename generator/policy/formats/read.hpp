@@ -1,4 +1,4 @@
-// Files with weights to networks, whatever their format.
+// Reads networks from weight files of every format.
 #pragma once
 
 #include <optional>
@@ -21,15 +21,15 @@ struct PolicyRequest {
 };
 
 /// Reads a policy: ONNX, safetensors, npz, Stable-Baselines3 zip, torch.save; and its statistics:
-/// VecNormalize.save, npz, JSON. Exactly one error (E06xx) if there is none.
+/// VecNormalize.save, npz, JSON. Reports exactly one error (E06xx) if it cannot be read.
 std::optional<Network> read_policy(const PolicyRequest& request, Diagnostics& diagnostics);
 
 /// The same with nothing but a file; `mention` is where the graph names it.
 std::optional<Network> read_policy(const std::string& path, const std::string& name, Span mention,
                                    Diagnostics& diagnostics);
 
-/// The policy in `bytes`, whatever its format. `name` is the file as the user wrote it. Adds
-/// exactly one error at `mention` if there is none.
+/// The policy in `bytes`, in any format. `name` is the file as the user wrote it. Adds exactly one
+/// error at `mention` if it cannot be read.
 std::optional<Network> read_policy_bytes(std::string_view bytes, const std::string& name,
                                          Span mention, Diagnostics& diagnostics,
                                          const ReadContext& context = {});

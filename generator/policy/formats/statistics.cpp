@@ -1,4 +1,4 @@
-// Statistics of observations that lie in a file of their own.
+// Statistics of observations in a separate file.
 #include "generator/policy/formats/statistics.hpp"
 
 #include <fmt/core.h>

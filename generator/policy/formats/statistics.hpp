@@ -1,4 +1,4 @@
-// Files of statistics: how observations were normalised.
+// Files of statistics that normalize observations.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Where the results of layers lie while a network answers: which of them share their memory.
+// Buffers for the results of layers, and which results share memory.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ std::vector<std::size_t> last_uses_of(const Network& network);
 /// of its input, and needs no memory.
 std::optional<std::uint32_t> first_of_slice(const Layer& layer);
 
-/// Buffers of a network with branches. The result of a layer lies in a buffer whose values before
-/// are no longer needed, so that a layer's input and result never overlap.
+/// Buffers of a network with branches. The result of a layer is stored in a buffer whose previous
+/// values are no longer needed, so that a layer's input and result never overlap.
 struct BufferPlan {
   std::vector<std::size_t> sizes;                  // numbers of each buffer
   std::vector<std::optional<std::size_t>> places;  // of each layer; nothing: a slice, the action

@@ -1,5 +1,4 @@
-// The world that a policy was trained in: what it observed, how that was normalised, and what its
-// outputs were.
+// The world that a policy was trained in: its observations, their normalization, and its outputs.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +45,8 @@ struct PolicyContract {
   std::vector<double> observation_low, observation_high;  // one for each input, or empty
   /// How many whole numbers from 0 on an input may be, 0 for any number; one for each, or empty.
   std::vector<std::uint32_t> choices{};
-  /// argmax: what the first output of each choice stands for; one: of all. Empty: not known.
+  /// argmax: the value of the first output of each choice; one value: of all choices. Empty:
+  /// unknown.
   std::vector<std::int64_t> first_choices{};
   /// argmax: how many outputs each choice is among, in order: two or more of a MultiDiscrete.
   /// Empty: not known.

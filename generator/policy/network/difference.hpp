@@ -1,4 +1,4 @@
-// How far the answers of two policies are apart, and in which layers.
+// Differences between the answers of two policies, layer by layer.
 #pragma once
 
 #include <cstddef>
@@ -48,8 +48,9 @@ std::string other_structure(const Network& a, const Network& b);
 /// Whether both take and give as many numbers. E0757.
 bool check_sizes(const Network& a, const Network& b, Diagnostics& diagnostics);
 
-/// Asks both for their answers to `rows`. `tolerance`: what each output may be off; nothing: 1e-5
-/// of its range, and at least 1e-5. Both have the rows' sizes. E0759 if an answer is not finite.
+/// Compares their answers to `rows`. `tolerance`: maximum difference of each output; nullopt: 1e-5
+/// of its range, and at least 1e-5. Both must have the rows' sizes. E0759 if an answer is not
+/// finite.
 std::optional<PolicyDifference> difference_of(const Network& a, const Network& b,
                                               const GoldenRows& rows,
                                               std::optional<double> tolerance,

@@ -1,4 +1,4 @@
-// Types of a tensor's elements, what file formats call them, and how they lie in files.
+// Types of a tensor's elements, with their names and layouts in file formats.
 #pragma once
 
 #include <cstddef>
@@ -46,8 +46,8 @@ std::int64_t onnx_number(ElementType type);
 /// is none.
 std::optional<std::string_view> onnx_type_name(std::int64_t number);
 
-/// Finite numbers as float32: E0615 for what float32 cannot hold, in tensor `name`; `verb` is what
-/// the actor is said to be: "exporting", "saving".
+/// Finite numbers as float32: E0615 for values beyond float32, in tensor `name`; `verb` describes
+/// the file for the message: "exporting", "saving".
 std::optional<std::vector<float>> exact_floats(const std::vector<double>& values,
                                                std::string_view name, std::string_view verb,
                                                PolicyProblem& problem);

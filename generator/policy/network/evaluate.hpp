@@ -25,7 +25,7 @@ std::vector<float> evaluate(const Network& network, std::vector<float> input,
 std::vector<std::vector<float>> results_of_layers(const Network& network, std::vector<float> input,
                                                   Memory<float>* memory = nullptr);
 
-/// The same in float64, with the weights as they are in the file.
+/// The same in float64, with the weights of the file.
 std::vector<double> evaluate_in_double(const Network& network, const std::vector<float>& input,
                                        Memory<double>* memory = nullptr);
 

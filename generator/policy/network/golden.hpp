@@ -1,4 +1,4 @@
-// Golden rows: observations whose answers are known, and how well a network gives them.
+// Golden rows: observations with known answers, and how closely a network reproduces them.
 #pragma once
 
 #include <cstddef>
@@ -42,11 +42,11 @@ std::vector<std::vector<float>> sampled_rows(std::size_t count, std::size_t widt
                                              std::uint32_t seed = 1);
 
 /// A few observations for programs to check their answers on: golden rows, or numbers in -1…1. They
-/// take no more than half a kilobyte of flash, answers included, unless one row is larger. Those of
-/// a network with a memory are a sequence, the start of one episode.
+/// take at most half a kilobyte of flash, including answers, unless one row is larger. For a
+/// network with memory, they are the beginning of one episode.
 std::vector<std::vector<float>> self_test_rows(const Network& network, const GoldenRows* rows);
 
-/// How far answers are from those in float64, and from what the file knows.
+/// Errors of answers, compared with float64 and with the answers in the file.
 struct GoldenErrors {
   double ours = 0.0;      // largest error of the generated program, against float64
   double theirs = 0.0;    // largest error of the file's answers, against float64
@@ -56,9 +56,9 @@ struct GoldenErrors {
   double excess = 0.0;    // how many times its limit an answer is off at most
 };
 
-/// How well a network answers golden rows. An error counts against the largest of twice the file's
-/// own, 5e-5 of the range that an answer has in the rows, 1e-5 of its value, and the digits that
-/// are printed; what is not farther from float64 than the file's own answers never fails.
+/// Result of comparing a network with golden rows. The tolerance of an answer is the largest of
+/// twice the file's own error, 5e-5 of the answer's range in the rows, 1e-5 of its value, and the
+/// printed digits. An answer that is at least as close to float64 as the file's never fails.
 struct GoldenResult {
   std::size_t rows = 0;
   GoldenErrors outputs;

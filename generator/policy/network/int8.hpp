@@ -1,4 +1,4 @@
-// Weights of eight bits: rounding them, the layer's answer, and what the rounding costs.
+// Weights of eight bits: rounding, the layer's answer, and the rounding error.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// One layer of a network: what it does to its input, and with which weights.
+// One layer of a network: its operation and its weights.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ const char* to_string(Activation activation);
 std::optional<Activation> activation_of(std::string_view name);
 /// As descriptions have them.
 std::vector<std::string> activation_names();
-/// torch's default for what elu and leaky relu do below zero; 0 for the others.
+/// torch's default slope of elu and leaky relu below zero; 0 for the others.
 float default_slope(Activation activation);
 
 /// y = gamma (x - mean(x)) / sqrt(var(x) + epsilon) + beta, over all outputs of a layer.
@@ -68,7 +68,7 @@ struct Pooling {
   bool operator==(const Pooling&) const = default;
 };
 /// weights [gates * outputs][inputs], bias [gates * outputs]; gates in torch's order: GRU reset,
-/// update, candidate; LSTM input, forget, candidate, output. The state is what it remembers.
+/// update, candidate; LSTM input, forget, candidate, output.
 struct Recurrence {
   bool is_lstm = false;
   std::vector<float> hidden_weights;          // [gates * outputs][outputs]
@@ -129,7 +129,7 @@ const char* to_string(Reduction::Kind kind);
 using LayerForm = std::variant<Dense, Convolution, Pooling, Recurrence, Elementwise, Reorder,
                                Combination, Function, Reduction>;
 
-/// y = activation(norm(W x + b)), or what `form` says instead of W x + b.
+/// y = activation(norm(W x + b)), or the operation of `form` instead of W x + b.
 struct Layer {
   std::uint32_t inputs = 0;
   std::uint32_t outputs = 0;
@@ -158,7 +158,7 @@ struct Layer {
   }
 };
 
-/// `bias`: also what an Elementwise calculates with.
+/// `bias`: also the constants of an Elementwise.
 Layer layer_of(LayerForm form, std::uint32_t inputs, std::uint32_t outputs,
                std::vector<float> bias = {}, std::vector<float> weights = {});
 

@@ -1,5 +1,5 @@
-// The largest files and networks that are read. What is larger is refused before it takes memory
-// or time.
+// The largest files and networks that are read. Larger ones are rejected before they take memory or
+// time.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ inline constexpr std::size_t kMaxPolicyBytes = std::size_t{64} << 20U;
 inline constexpr std::int64_t kMaxParameters = std::int64_t{16} << 20U;
 inline constexpr std::size_t kMaxLayers = 256;
 
-/// Values between two layers, which is what a robot must keep in RAM.
+/// Values between two layers, which a robot must keep in RAM.
 inline constexpr std::int64_t kMaxValues = std::int64_t{1} << 22U;
 
-/// Products in one layer: what a robot cannot compute in a step, and a generator not in a minute.
+/// Products in one layer: more than a robot can compute in a step, or a generator in a minute.
 inline constexpr std::int64_t kMaxProducts = std::int64_t{1} << 30U;
 
 }  // namespace eagerx::gen

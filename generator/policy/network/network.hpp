@@ -1,4 +1,4 @@
-// A trained policy as plain data: what a weight file holds once it was read and checked.
+// A trained policy as plain data: the contents of a weight file, checked.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@ namespace eagerx::gen {
 /// can.
 enum class Profile : std::uint8_t { exact, fast };
 
-/// Layers, each behind those that it takes its input from; the last one gives the action. Mostly
-/// they are a chain: n_obs values in, n_act values out.
+/// Layers, each after its inputs; the last one outputs the action. Usually a chain: n_obs values
+/// in, n_act values out.
 struct Network {
   std::string file;                    // as the user wrote it
   std::string format;                  // for people: "ONNX opset 17, exported by pytorch 1.13"
@@ -52,7 +52,7 @@ struct Network {
   /// The first layer always takes the whole observation.
   [[nodiscard]] std::uint32_t inputs() const { return layers.front().inputs; }
   [[nodiscard]] std::uint32_t outputs() const { return layers.back().outputs; }
-  /// Of `argmax`: how many outputs each choice is among; all of them, if nothing else is known.
+  /// For `argmax`: the number of outputs of each choice; all of them if unknown.
   [[nodiscard]] std::vector<std::uint32_t> groups() const {
     return contract.groups.empty() ? std::vector{outputs()} : contract.groups;
   }

@@ -25,8 +25,8 @@ GoldenRows sampled_observations(const Network& network, const Sampling& sampling
 /// For people: "1000 sampled, seed 1, within 2 deviations of the statistics".
 std::string describe(const Network& network, const Sampling& sampling);
 
-/// Whether `network` can be asked for its answers to `rows` of the file `name`. E0632 if they do
-/// not have its size, E0761 if it has a memory and they do not say where episodes start.
+/// Whether `network` can evaluate `rows` of the file `name`. E0632 if they do not have its size,
+/// E0761 if it has memory and they do not mark the start of episodes.
 bool check_observations(const Network& network, const GoldenRows& rows, const std::string& name,
                         Diagnostics& diagnostics);
 

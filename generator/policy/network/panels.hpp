@@ -1,4 +1,4 @@
-// How weights of dense layers are stored: in panels of outputs that are computed side by side.
+// Storage of dense weights: panels of outputs that are computed side by side.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ struct Panel {
 };
 std::vector<Panel> panels_of(std::size_t outputs);
 
-/// Outputs as they are stored: full panels, the rest padded to a power of two.
+/// Number of stored outputs: full panels, the rest padded to a power of two.
 std::size_t padded_outputs(std::size_t outputs);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// Why a file is not usable, in words that can be shown.
+// The reason why a file cannot be used, as text for users.
 #pragma once
 
 #include <concepts>

@@ -15,7 +15,7 @@ inline constexpr std::int64_t kMaxElements = std::int64_t{1} << 40U;
 /// Product of `dims`; nothing for a negative dimension or more than kMaxElements.
 std::optional<std::int64_t> element_count(const Dims& dims);
 
-/// Place `at` among `count`, counted from the back if it is below zero; nothing if there is none.
+/// Index `at` among `count`, counted from the end if negative; nullopt if out of range.
 std::optional<std::int64_t> place_in(std::int64_t at, std::int64_t count);
 
 /// "[64, 3]".

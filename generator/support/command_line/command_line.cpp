@@ -48,7 +48,7 @@ void add(CLI::App& app, const Argument& argument, GivenFiles& files) {
   option.expected(static_cast<int>(argument.values));
   if (argument.repeated) {
     option.expected(1, CLI::detail::expected_max_vector_size);
-    // What follows the value of an option is the next argument, not another value.
+    // An option takes one value: the next word is another argument.
     option.allow_extra_args(!argument.names.starts_with('-'));
   }
 }

@@ -30,7 +30,7 @@ struct Argument {
   std::string names;  // "graph", "--engine", "-o,--output"
   std::string about;
   std::string type;  // of its value in the help: "NAME"; a flag has none
-  /// Stores the values: one, as many as `values`, or of a repeated one all that are given.
+  /// Stores the values: one, `values` of them, or all values of a repeated argument.
   std::function<void(const std::vector<std::string>&)> take;
   /// The problem of a value, or "".
   std::function<std::string(const std::string&)> check = {};
@@ -48,7 +48,7 @@ struct Argument {
 /// "-o,--output": "-o", "--output"
 std::vector<std::string> comma_separated(std::string_view text);
 
-/// A command line that works, and what it is for.
+/// A working command line, and its purpose.
 struct Example {
   std::string about;
   std::string command;
@@ -60,8 +60,9 @@ struct Command {
   std::string about;
   std::vector<Example> examples = {};
   std::vector<Argument> arguments = {};
-  /// Takes, after the first positional argument, every option that is none of `arguments`, what
-  /// follows it, and all that follows `--`: words for another program. Without: such are wrong.
+  /// If set, takes words for another program: after the first positional argument, every option
+  /// that is not in `arguments`, the word after it, and everything after `--`. Otherwise such
+  /// options are errors.
   std::optional<Argument> rest = {};
   std::vector<Command> commands = {};
   /// A conflict between the arguments, or "". Called after all were read.
@@ -71,14 +72,14 @@ struct Command {
   std::shared_ptr<void> options = {};  // what `arguments` store in, kept as long as they
 };
 
-/// The topics of `help NAME` besides commands.
+/// The topics of `help NAME` other than commands.
 struct Topic {
   std::string name;
   std::string about;
   std::string text;
 };
 
-/// A program: a command of its own, or several.
+/// A program with one command or several.
 struct CommandLine {
   Command top;
   std::string footer = {};           // of `--help`
@@ -87,7 +88,7 @@ struct CommandLine {
   std::vector<Topic> topics = {};    // with commands there is also `help [COMMAND|TOPIC]`
 };
 
-/// Arguments of common kinds. `texts` may be repeated; what is given twice is kept once.
+/// Arguments of common kinds. `texts` may be repeated; duplicates are dropped.
 Argument flag(std::string names, bool& value, std::string about);
 Argument text(std::string names, std::string& value, std::string about, std::string type);
 Argument texts(std::string names, std::vector<std::string>& values, std::string about,
@@ -103,7 +104,7 @@ Argument whole(std::string names, std::optional<std::uint64_t>& value, std::stri
                std::uint64_t low, std::uint64_t high);
 /// The argument names files that are read, or with `continues` one that this output continues.
 Argument reads(Argument argument, std::string continues = {});
-/// The argument names the file that is written; `otherwise`: its name if it is not given.
+/// The argument names the file to write; `otherwise`: its default.
 Argument writes(Argument argument, std::string otherwise = {});
 Argument folder(Argument argument);
 /// An option that runtime/STABILITY.md does not promise yet; its description ends with

@@ -24,7 +24,7 @@ void say(fmt::format_string<Ts...> format, Ts&&... values) {
   say_text(fmt::format(format, std::forward<Ts>(values)...));
 }
 
-/// Prints to the standard error, for what has no place in a file.
+/// Prints to the standard error text that does not belong into a file.
 void complain_text(std::string_view text);
 template <class... Ts>
 void complain(fmt::format_string<Ts...> format, Ts&&... values) {
@@ -35,7 +35,7 @@ void complain(fmt::format_string<Ts...> format, Ts&&... values) {
 /// says why, such as "No space left on device".
 std::optional<std::string> flush_output();
 
-/// The problem for what flush_output() said: E0901.
+/// Reports the reason that flush_output() returned: E0901.
 void report_output(const std::string& why, Diagnostics& diagnostics);
 
 /// Opens /dev/null where the standard input, output or error is closed: a file that is opened later

@@ -12,7 +12,7 @@ namespace eagerx::gen {
 /// An `error:` line and, where there is one, a `help:` line.
 std::string usage_message(const CLI::App& app, const CLI::Error& problem);
 
-/// Of a value that is none of the choices: what is wrong, and on a second line what is possible.
+/// The message for a value that is not among the choices; its second line lists the choices.
 std::string not_a_choice(const std::string& word, const std::vector<std::string>& choices);
 
 /// Of a word that is neither a command of `app` nor a file: the same. Empty if it may be a file.

@@ -14,24 +14,24 @@ namespace eagerx::gen {
 /// The texts that spans point into. A file is added once and stays.
 class SourceMap {
  public:
-  /// `name` as the user wrote it; `text` may be cut short (only what can be shown).
+  /// `name` as the user wrote it; `text` may be cut off, and is only for display.
   FileId add(std::string name, std::string text);
   [[nodiscard]] const std::string& name(FileId file) const;
   [[nodiscard]] const std::string& text(FileId file) const;
-  /// Line `line` (from 1) without its end; empty where there is none.
+  /// Line `line` (from 1) without its newline; empty if it does not exist.
   [[nodiscard]] std::string_view line(FileId file, std::uint32_t line) const;
 
-  /// The place that uses what is in a file, and what it makes of it: "`arm` is a `Cascade`".
+  /// A place that uses a file's contents, and how: "`arm` is a `Cascade`".
   struct Use {
     Span place;
     std::string what;
   };
-  /// The same file once more, for what one place makes of it: spans in it say who used it so.
+  /// Adds the same file again for one use: spans in it lead to that place.
   FileId add_use(FileId file, Use use);
-  /// nullptr for what is not used by another file.
+  /// nullptr if no other file uses it.
   [[nodiscard]] const Use* use(FileId file) const;
-  /// Where in `file` somebody uses, over others or at once, what is written at `span`; line 0:
-  /// nowhere.
+  /// The place in `file` that uses the text at `span`, directly or through other files; line 0:
+  /// none.
   [[nodiscard]] Span place_in(FileId file, Span span) const;
 
  private:
@@ -113,7 +113,7 @@ class Diagnostics {
   std::size_t usage_errors_ = 0;
 };
 
-/// The notes of a diagnostic, and behind them who uses the file that it is in, from the inside out.
+/// The notes of a diagnostic, followed by the uses of its file, from the inside out.
 std::vector<Diagnostic::Note> notes_with_uses(const Diagnostic& diagnostic,
                                               const SourceMap& sources);
 

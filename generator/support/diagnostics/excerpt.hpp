@@ -1,4 +1,4 @@
-// The one line of a file that a message shows, made fit for a terminal.
+// The line of a file that a message shows, made safe for a terminal.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace eagerx::gen {
 
-/// A line as it is drawn, and where its carets go (in terminal columns from 0).
+/// A line as displayed, and the positions of its carets (in terminal columns from 0).
 struct Excerpt {
   std::string text;
   std::size_t caret_column = 0;

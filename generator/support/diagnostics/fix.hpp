@@ -1,5 +1,5 @@
-// Changes of a text that fix a problem, raised where the problem is found. frontend/outline decides
-// how to lay them out, because it sees the text.
+// Changes of a text that fix a problem, created where the problem is found. frontend/outline lays
+// them out, because it has the text.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace eagerx::gen {
 
-/// One place that changes. What is added is written as the lines around it are.
+/// One place that changes. Additions have the style of the lines around them.
 struct FixEdit {
   enum class Kind : std::uint8_t {
     replace,     // what stands at `span` becomes `text`
@@ -58,17 +58,17 @@ struct Help {
   std::vector<Fix> fixes;
 };
 
-/// The word in the place of the one that is wrong.
+/// Replaces the wrong word.
 Fix change_to(const std::string& word);
 /// The word at `place`.
 Fix change_word_to(const std::string& word, const Span& place);
-/// A guess at the number that is meant, if what stands there is a number.
+/// Replaces a number with a guess at the intended one, if the text is a number.
 Fix change_number_to(const std::string& number);
-/// One value in the place of a list.
+/// Replaces a list with one value.
 Fix change_list_to(const std::string& value);
 /// The graph's key `name` gets the value `text`.
 Fix set_in_graph(const std::string& name, const std::string& text);
-/// Takes away what is wrong.
+/// Removes the wrong text.
 Fix leave_out(std::string title);
 /// Adds `name: value` to the map that begins where the problem is; a rate is the graph's.
 Fix add_key(const std::string& name);
@@ -85,9 +85,9 @@ Fix allow_here(const std::string& code);
 
 /// "did you mean `word`?"
 Help meaning(const std::string& word);
-/// "write `word`", and what `why` adds to it.
+/// "write `word`", followed by `why`.
 Help write_instead(const std::string& word, std::string_view why = {});
-/// "add a connection `connection`"; what is … is left open.
+/// "add a connection `connection`"; "…" is left for the user.
 Help missing_connection(const std::string& connection);
 /// The candidate nearest to `word` (Damerau-Levenshtein, at most a third of the letters wrong, case
 /// ignored at no cost), or empty.

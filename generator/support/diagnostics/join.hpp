@@ -1,5 +1,5 @@
-// Lists and counts as a text, compiled once: with fmt::join every stage compiles fmt's reading of
-// formats and its writing of the items again, up to 0.2 s of processor time a stage.
+// Lists and counts as text, compiled once. With fmt::join, every stage would compile fmt's parsing
+// and formatting again, up to 0.2 s of processor time each.
 #pragma once
 
 #include <cstddef>

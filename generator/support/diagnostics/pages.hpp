@@ -10,8 +10,7 @@ namespace eagerx::gen {
 
 class Diagnostics;
 
-/// The page of one code, in Markdown as it is in codes/<code>.md. Its first line is
-/// `# <code>: <title>`.
+/// The page of one code, the Markdown of codes/<code>.md. Its first line is `# <code>: <title>`.
 struct CodePage {
   std::string_view code;  // "E0307"
   std::string_view text;
@@ -22,7 +21,7 @@ struct CodePage {
 /// All pages, in the order of their codes.
 std::span<const CodePage> code_pages();
 
-/// The line that leads from the errors to their pages; empty if there are none.
+/// The line that refers to the pages of the errors; empty without errors.
 std::string pointer_to_pages(const Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -1,6 +1,6 @@
-// Which files a run reads and which it is to write, so that no output ever takes the place of an
-// input or of another output. What reads a file says so here, the table of commands says what is
-// written, and cli/write, the only place where outputs are opened, asks before it opens one.
+// Registers the files that a run reads and writes, so that no output ever overwrites an input or
+// another output. Readers register inputs here, the table of commands registers outputs, and
+// driver/build/write, the only place that opens outputs, checks before it opens one.
 //
 // One list for the process: a command line is one run, and a reader far from the commands cannot
 // be forgotten by a new one.
@@ -12,7 +12,7 @@
 
 namespace eagerx::gen {
 
-/// Remembers that `path` is read. `name`: what messages call it (default: the path).
+/// Registers that `path` is read. `name`: its name in messages (default: the path).
 void remember_input(const std::string& path, const std::string& name = {});
 
 /// Remembers that `path` is going to be written, whether by this program or by one that it becomes.
@@ -27,7 +27,7 @@ struct OneFile {
 /// `written`: files that are about to be written. Nothing: all are different.
 std::optional<OneFile> find_one_file(const std::vector<std::string>& written = {});
 
-/// The name in messages of the input that lies at `path`, by any name or link; nothing: none.
+/// The name in messages of the input at `path`, by any name or link; nullopt if it is not an input.
 std::optional<std::string> input_at(const std::string& path);
 
 /// Forgets all of it: a test is many runs.

@@ -8,15 +8,15 @@
 
 namespace eagerx::gen {
 
-/// Names of what is in a folder, sorted; none if there is no such folder. At most 1000 are read.
+/// Sorted names of a folder's entries, at most 1000; empty if the folder does not exist.
 std::vector<std::string> entries_of_folder(const std::string& path);
 
-/// Of a file or folder at `path` that is not there, and is called `written` where it is named: "did
-/// you mean `…`?" with the nearest name in its folder, the few files of its kind that are there, or
-/// the folder that is not there either. Empty: nothing helps, or there is something at `path`.
+/// Help for a missing file or folder at `path`, named `written` in the source: "did you mean `…`?"
+/// with the nearest name in its folder, the few files of its kind there, or the missing folder.
+/// Empty if nothing helps, or if `path` exists.
 Help help_for_missing(const std::string& path, const std::string& written);
 
-/// Of a relative `path`, if the folder that this runs in has been deleted: what to do. Else empty.
+/// Help for a relative `path` if the working folder has been deleted; otherwise empty.
 std::string help_for_deleted_folder(const std::string& path);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// Paths that are no longer relative.
+// Absolute paths.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace eagerx::gen {
 
-/// The absolute path; as it is where the working folder has been deleted, so that what is done with
-/// it reports a missing file.
+/// The absolute path; unchanged if the working folder has been deleted, so that its use reports a
+/// missing file.
 inline std::filesystem::path absolute_path(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::path result = std::filesystem::absolute(path, error);

@@ -1,7 +1,7 @@
-// Texts that somebody has in an editor and has not saved: what reads a file reads these instead.
+// Unsaved texts of an editor, which readers use instead of the files.
 //
 // One list for the process, like that of inputs and outputs: a reader far from the commands cannot
-// be forgotten by the one that has an editor.
+// be forgotten by the code that has an editor.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace eagerx::gen {
 
-/// The text that counts for the file at `path`, by whatever name; nothing: the one on the disk.
+/// Sets the text that replaces the file at `path`, by any name; nullopt: the file on the disk.
 void set_unsaved(const std::string& path, std::optional<std::string> text);
 
-/// Nothing: there is none, and the disk is asked.
+/// nullopt if there is none, so the file on the disk is read.
 std::optional<std::string> unsaved_text(const std::string& path);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// JSON as a value of our own, read and written: json.cpp alone includes nlohmann's headers, which
+// Reads and writes JSON as a type of this project. Only json.cpp includes nlohmann's headers, which
 // take longer to compile than most stages.
 #pragma once
 
@@ -19,7 +19,7 @@ struct JsonMember;
 struct Json {
   using List = std::vector<Json>;
   using Object = std::vector<JsonMember>;  // in the order of the file, or as added
-  /// Nothing is null. Whole numbers that 64 bits do not hold are a double.
+  /// std::monostate is null. Whole numbers that do not fit into 64 bits are doubles.
   std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Object> value;
 
   // Defined where JsonMember is known: libstdc++'s vectors need it to be destroyed.
@@ -70,8 +70,7 @@ requires(!std::same_as<Whole, bool>) Json::Json(Whole whole)
 /// and so are more than a million values or more than 64 in one another.
 std::optional<Json> parse_json(std::string_view text);
 
-/// The text of `json`, indented by two; what is not UTF-8, as file names may be, becomes
-/// U+FFFD.
+/// The text of `json`, indented by two; invalid UTF-8, possible in file names, becomes U+FFFD.
 std::string dump_json(const Json& json);
 
 /// The member `key` of an object, or nullptr; also of nullptr.

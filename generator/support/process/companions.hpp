@@ -1,4 +1,4 @@
-// Programs that run together with this one: a hub's parts.
+// Programs that run alongside this one: a hub's parts.
 #pragma once
 
 #include <optional>
@@ -20,9 +20,9 @@ struct CompanionProblem {
   bool has_ended = false;  // else it takes too long
 };
 
-/// Starts programs in a process group of their own and returns when all are ready. They end when
-/// this process does, however it ends, also if it has become another program by then; `folder` is
-/// removed after them. Their problem, if there is one; then they have ended.
+/// Starts programs in their own process group, and returns when all are ready. They end when this
+/// process ends in any way, even if it executes another program in the meantime; `folder` is
+/// removed after them. Returns their problem, if any; they have then ended.
 std::optional<CompanionProblem> start_companions(const std::vector<Companion>& companions,
                                                  const std::string& folder);
 

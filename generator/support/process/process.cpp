@@ -58,7 +58,7 @@ class PassSignals {
     sigemptyset(&action.sa_mask);
     for (std::size_t i = 0; i < kEndingSignals.size(); ++i) {
       sigaction(kEndingSignals[i], nullptr, &before_[i]);
-      // What is ignored, as under nohup, stays so.
+      // Signals that are ignored, as under nohup, stay ignored.
       if (before_[i].sa_handler != SIG_IGN) sigaction(kEndingSignals[i], &action, nullptr);
     }
   }

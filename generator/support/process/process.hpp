@@ -1,4 +1,4 @@
-// Other programs: compilers, CMake, and those that read what these make.
+// Other programs: compilers, CMake, and tools that read their output.
 #pragma once
 
 #include <functional>
@@ -15,10 +15,10 @@ struct ProcessResult {
   std::string output;  // standard output and error, as they came
 };
 
-/// How a program is run besides its arguments.
+/// Options for running a program, other than its arguments.
 struct ProcessOptions {
   std::vector<std::pair<std::string, std::string>> environment = {};  // added to that of eagerx-gen
-  /// Called several times a second with what came so far.
+  /// Called several times a second with the output so far.
   std::function<void(const std::string& output)> waiting = {};
   int input = -1;  // the descriptor of its standard input; -1: none
   /// Called with each line of the standard output, which then is not kept. Standard error is thrown
@@ -31,7 +31,7 @@ struct ProcessOptions {
 std::optional<ProcessResult> run_process(const std::vector<std::string>& command,
                                          const ProcessOptions& options = {});
 
-/// The file that a command of this name starts; empty if there is none.
+/// The file of the command with this name; empty if there is none.
 std::string find_program(const std::string& name);
 
 }  // namespace eagerx::gen

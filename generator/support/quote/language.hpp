@@ -1,4 +1,4 @@
-// Values in texts of templates: what a value becomes depends on where in the language it stands.
+// Values in templates: their quoting depends on their place in the language.
 #pragma once
 
 #include <optional>
@@ -14,16 +14,16 @@ Language language_of(std::string_view path);
 
 /// Walks through a text and puts values into it.
 ///
-/// In a comment or a string a value is text, and is escaped for it. Elsewhere it is a part of the
-/// program that is written, and must be one: code of C++ that closes what it opens and begins no
-/// comment, one argument of CMake, one word of a shell, a plain word in other languages.
+/// In a comment or a string, a value is text, and is escaped. Elsewhere it is code, and must be
+/// valid: balanced C++ without comments, one argument of CMake, one word of a shell, a plain word
+/// in other languages.
 class Quoter {
  public:
   explicit Quoter(Language language) : language_(language) {}
 
   /// The text of the template.
   void add(std::string_view text);
-  /// False if the value cannot stand there.
+  /// False if the value is invalid there.
   bool add_value(std::string_view value);
   [[nodiscard]] std::string take() { return std::move(result_); }
 

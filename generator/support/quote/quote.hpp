@@ -1,4 +1,4 @@
-// Foreign text as a part of a language: one function a language, and no other way.
+// Quotes foreign text for a language: one function for each language, and no other way.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@ std::string cpp_string(std::string_view text);
 /// The text between the quotes.
 std::string in_cpp_string(std::string_view text);
 
-/// Text for a comment of any language, on one line: it ends no comment, begins none, continues no
-/// line, and reads as it is written. What could do otherwise is written as `\x0a` or `\u202e`.
+/// Text for a comment of any language, on one line: it neither ends nor begins a comment, does not
+/// continue the line, and displays as written. Other characters are escaped as `\x0a` or `\u202e`.
 std::string in_comment(std::string_view text);
 
-/// A scalar of YAML as somebody wrote it, so that `1e-3` stays a number; quoted where it could be
-/// anything else than a scalar.
+/// A YAML scalar as written, so that `1e-3` stays a number; quoted if it could be anything but a
+/// scalar.
 std::string yaml_scalar(std::string_view text);
 /// A text: a word without quotes where every reader of YAML takes it for a text.
 std::string yaml_text(std::string_view text);

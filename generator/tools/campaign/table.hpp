@@ -8,7 +8,7 @@
 
 namespace eagerx::gen::campaign {
 
-/// A column of what runs differ in: a state, a delay or the step of a fault.
+/// A column of a quantity that differs between runs: a state, a delay or the step of a fault.
 struct CampaignColumn {
   std::string name;            // "robot/body.mass", "angle=silent"
   std::vector<double> values;  // [runs]; NaN where nothing has set it
@@ -21,7 +21,7 @@ struct CampaignTable {
   std::vector<CampaignColumn> sampled;  // those that differ between runs
 };
 
-/// nullopt: `problem` says what is wrong, with the line.
+/// nullopt: see `problem`, which names the line.
 std::optional<CampaignTable> read_campaign(const std::string& path, std::string& problem);
 
 }  // namespace eagerx::gen::campaign

@@ -1,5 +1,4 @@
-// eagerx-gen fix and rename: changes of a graph's file, which leave the rest of it as it was
-// written.
+// eagerx-gen fix and rename: changes of a graph's file that leave the rest as it was written.
 #include "generator/tools/edit/edit.hpp"
 
 #include <fmt/format.h>
@@ -156,7 +155,7 @@ int fix_file(const EditOptions& options) {
   return code;
 }
 
-/// Each file for itself, also behind one that has other problems.
+/// Fixes each file, also after one that has other problems.
 int perform_fix(const EditOptions& options) {
   int worst = kDone;
   for (const std::string& file : options.files) {
@@ -167,7 +166,7 @@ int perform_fix(const EditOptions& options) {
   return worst;
 }
 
-/// What `from` names among actions and observations, alone or as `actions.voltage`.
+/// The action or observation that `from` names, alone or as `actions.voltage`.
 std::optional<OutlinePath> entry_of(const std::string& text, const std::string& from) {
   const OutlineNode top = outline_of(text);
   std::vector<OutlinePath> found;

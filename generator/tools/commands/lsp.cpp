@@ -1,4 +1,4 @@
-// eagerx-gen lsp: the language server of graph files, for editors.
+// eagerx-gen lsp: the language server of graph files.
 #include <poll.h>
 #include <unistd.h>
 

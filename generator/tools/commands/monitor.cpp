@@ -1,4 +1,4 @@
-// eagerx-gen monitor: what a program sends while it runs.
+// eagerx-gen monitor: shows the messages of a running program.
 #include "generator/tools/monitor/monitor.hpp"
 
 #include <cstdlib>

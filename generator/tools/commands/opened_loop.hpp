@@ -1,4 +1,4 @@
-// The loop opened at a port: its margins, and the ages of data in it.
+// A loop opened at a port: its margins, and the ages of its data.
 #pragma once
 
 #include <optional>
@@ -16,9 +16,9 @@ namespace eagerx::gen {
 /// derivative passes through it.
 bool add_loop(Run& run, const PortElement& port, LinearReport& report);
 
-/// The curves of a loop, with the step response that the program simulates. `words`: those of the
-/// program for which `report` is; `size`: of the step, 0: 5 % of the port's range, or else 1. What
-/// keeps the program from running is reported; then there is nothing.
+/// The curves of a loop, with the step response that the program simulates. `words`: the program's
+/// arguments that `report` belongs to; `size`: that of the step, 0: 5 % of the port's range, or
+/// else 1. nullopt if the program cannot run; reports the reason.
 std::optional<LoopCurves> loop_curves_of_program(Run& run, const std::string& image,
                                                  std::vector<std::string> words,
                                                  const PortElement& port, double size,

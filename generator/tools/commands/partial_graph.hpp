@@ -1,4 +1,4 @@
-// Options for a graph whose text may be half written, as editors have it.
+// Options for a graph whose text may be incomplete, as in an editor.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// eagerx-gen pil: processor in the loop. A simulation of the whole graph records what crosses the
-// cut, and the library of what is cut out must answer the same, on Linux or on a board.
+// eagerx-gen pil: processor in the loop. A simulation of the whole graph records the messages that
+// cross the cut, and the library of the cut-out nodes must answer the same, on Linux or on a board.
 #include <fmt/format.h>
 
 #include <algorithm>

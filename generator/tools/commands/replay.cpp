@@ -1,4 +1,4 @@
-// eagerx-gen replay: a program against a log, which is the program's own work, or two logs.
+// eagerx-gen replay: compares a program with a log, which the program does itself, or two logs.
 #include <fmt/format.h>
 
 #include <utility>

@@ -1,4 +1,4 @@
-// eagerx-gen report: everything that is known of a graph as one page for a browser.
+// eagerx-gen report: all information about a graph as one page for a browser.
 #include <fmt/format.h>
 
 #include <algorithm>

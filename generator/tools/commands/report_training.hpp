@@ -16,8 +16,8 @@ class ReportedTraining {
   static std::optional<ReportedTraining> read(const std::string& path, SourceMap& sources,
                                               Diagnostics& diagnostics);
 
-  /// The graph is shown with the trained policy, if it exists and no other one is named; without
-  /// any if it cannot be read: the page shows what is available.
+  /// Shows the graph with the trained policy, if it exists and no other one is named; without a
+  /// policy if it cannot be read: the page shows what is available.
   void choose_policy(GraphOptions& options);
   /// Whether it is of this graph. Problems: E0361.
   bool check(const Graph& graph, Diagnostics& diagnostics) const;

@@ -1,5 +1,5 @@
-// eagerx-gen serve: the page of a graph from a server of this machine, which changes the graph's
-// file as the page asks.
+// eagerx-gen serve: serves the page of a graph on this machine, and edits the graph's file as the
+// page requests.
 #include "generator/tools/serve/serve.hpp"
 
 #include <unistd.h>

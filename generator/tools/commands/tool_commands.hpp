@@ -1,12 +1,13 @@
-// The commands that people and editors use besides the main job. Each is in the file of its name,
-// but for `fix` and `rename` (edit.cpp) and `plot` (trace.cpp).
+// The commands of eagerx-gen-tools. Each has a file of its name, except `fix` and `rename`
+// (edit.cpp) and `plot` (trace.cpp).
 #pragma once
 
 #include "generator/support/command_line/command_line.hpp"
 
 namespace eagerx::gen {
 
-/// Steps a library that is cut out of a graph with what a simulation recorded, and compares.
+/// Steps a library that is cut out of a graph with the recorded messages of a simulation, and
+/// compares.
 Command pil_command();
 /// Prints the sampled loop of a graph as matrices, poles and margins.
 Command linearize_command();

@@ -1,4 +1,4 @@
-// eagerx-gen trace and plot: a log for other tools, and for the eye.
+// eagerx-gen trace and plot: convert a log for other tools, and plot it.
 #include "generator/tools/trace/trace.hpp"
 
 #include <sys/ioctl.h>

@@ -1,4 +1,4 @@
-// A graph as boxes with ports and wires between them, before anything has a place on paper.
+// A graph as boxes with ports and wires, before layout.
 #pragma once
 
 #include <cstddef>
@@ -47,7 +47,7 @@ struct Box {
   std::vector<BoxPort> inputs, outputs;
   std::optional<std::size_t> node = {}, object = {};  // of the graph; `actions` is node 0, too
   std::optional<std::size_t> group = {};              // that it is in
-  /// Of a composite: what is in it. Its ends are its boxes 0 (entry) and 1 (exit).
+  /// The contents of a composite. Its ends are its boxes 0 (entry) and 1 (exit).
   std::shared_ptr<const Drawing> inside = {};
   std::string full_name = {};  // where `name` is that within a composite
 };
@@ -69,12 +69,12 @@ struct Wire {
 struct BoxGroup {
   Box box;                            // as one
   std::optional<std::size_t> around;  // the group that it is in
-  /// For a port of a box inside, as `box.port`, the number of the port that stands for it.
+  /// For a port of an inner box, as `box.port`, the number of the corresponding outer port.
   std::map<std::string, std::size_t> inputs, outputs;
 };
 
-/// Boxes in the order actions, nodes, objects, observations: what drives stands left where a circle
-/// leaves the choice.
+/// Boxes in the order actions, nodes, objects, observations, so that in a cycle the drivers are on
+/// the left.
 struct Drawing {
   std::string title;
   std::vector<Box> boxes;

@@ -1,5 +1,5 @@
-// The drawing of a graph as text: SVG with places of our own, or the text of Graphviz and Mermaid,
-// which place it themselves.
+// The drawing of a graph as text: SVG in our own layout, or input for Graphviz and Mermaid, which
+// do the layout.
 #pragma once
 
 #include <optional>

@@ -104,7 +104,7 @@ Layers layers_of(const Drawing& drawing) {
     readers[wire.from].push_back(wire.to);
     has_sender[wire.to] = true;
   }
-  // What is within a composite stands between its two ends.
+  // The contents of a composite are between its two ends.
   const bool within = drawing.boxes.front().kind == BoxKind::entry;
   if (within) std::fill(result.layer.begin() + 1, result.layer.end(), 1);
   for (const std::size_t box : order) {
@@ -119,7 +119,7 @@ Layers layers_of(const Drawing& drawing) {
     result.count += shared > 0 ? 1 : 0;
     result.layer[1] = result.count - 1;
   }
-  // What nothing drives stands next to its reader, and the observations at the right edge.
+  // Boxes without a sender are next to their readers, and the observations at the right edge.
   for (std::size_t box = 0; box < n; ++box) {
     if (drawing.boxes[box].kind == BoxKind::observations) result.layer[box] = result.count - 1;
     if (has_sender[box] || readers[box].empty() || drawing.boxes[box].kind == BoxKind::actions ||

@@ -1,4 +1,4 @@
-// The first half of a layout: which wires run backwards, and in which layer each box stands.
+// The first half of a layout: finds the wires that run backwards, and the layer of each box.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Places on paper for a drawing: layers from left to right, few crossings, short wires.
+// Layout of a drawing: layers from left to right, few crossings, short wires.
 //
 // After Sugiyama, Tagawa, Toda, "Methods for visual understanding of hierarchical system
 // structures" (1981): break circles, choose layers, order within layers, then places. All places
@@ -38,12 +38,12 @@ struct Layout {
   std::vector<PlacedWire> wires;  // of Drawing::wires
 };
 
-/// Whether composites are frames with what is in them, or boxes.
+/// Whether composites are frames with their contents, or boxes.
 enum class Composites : std::uint8_t { open, closed };
 /// Of a drawing that is nested; of one within a composite, the places in its frame.
 Layout layout_of(const Drawing& drawing, Composites composites);
 
-/// The label of a port or a box, cut to its drawn length: names may be as long as they like.
+/// The label of a port or a box, cut to the maximum length, because names may have any length.
 std::string shown(const std::string& text);
 
 /// Pixels that the layout reserves and svg_of() uses.

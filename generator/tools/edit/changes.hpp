@@ -1,4 +1,4 @@
-// Shared parts of changes of a graph's structure. Inside edit/ only.
+// Helpers for changes of a graph's structure. Inside edit/ only.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ std::string key_at(const OutlinePath& path, std::size_t index);
 std::string problem_of(const std::vector<KeyValue>& values);
 /// "a: 1, b: {c: 2}"
 std::string flow_of(const std::vector<KeyValue>& values);
-/// Whether nothing but what is at `path` differs.
+/// Whether only the value at `path` differs.
 bool differs_only_at(const Written& before, const Written& after, const OutlinePath& path);
 /// Whether a section has a key or an item of this name.
 bool has_name(const Written& written, const std::string& section, const std::string& name);

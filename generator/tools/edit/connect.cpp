@@ -1,4 +1,4 @@
-// Connections that are added, and entries that are taken away with what hangs on them.
+// Adds connections, and removes entries with everything that depends on them.
 #include <fmt/format.h>
 
 #include <utility>

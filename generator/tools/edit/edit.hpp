@@ -1,4 +1,4 @@
-// Changes of a graph's text: splices with a reason. What is not touched stays as somebody wrote it.
+// Changes of a graph's text: splices with a reason. The rest stays as it was written.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,9 @@
 
 namespace eagerx::gen {
 
-/// Every place that names an object or a node: its key, its ports in connections, what is set,
-/// limited, placed, measured or shown of it, also in variants. Empty: there is none of this name.
+/// Every place that names an object or a node: its key, its ports in connections, and its uses in
+/// settings, limits, placement, measures and pictures, also in variants. Empty if the name is
+/// unknown.
 std::vector<Bytes> uses_of(std::string_view text, const std::string& name);
 
 /// The objects and nodes of a graph file.
@@ -24,8 +25,8 @@ bool is_free_name(std::string_view text, const std::string& name);
 /// The object or node that the word at byte `at` names; empty: none.
 std::string name_at(std::string_view text, std::size_t at);
 
-/// Gives an object or a node another name. Nothing if there is none of the first name, or the
-/// second one cannot be its name.
+/// Renames an object or a node. nullopt if the first name is unknown, or the second one is not
+/// valid.
 std::optional<Edit> rename(std::string_view text, const std::string& from, const std::string& to);
 
 }  // namespace eagerx::gen

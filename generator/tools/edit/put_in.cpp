@@ -1,4 +1,4 @@
-// Keys and items that are added to a text, as those around them are written.
+// Inserts keys and items into a text in the style of their neighbors.
 #include <fmt/format.h>
 
 #include <array>

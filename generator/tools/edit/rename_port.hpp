@@ -17,17 +17,18 @@ struct PortUse {
   std::string port;
   Bytes place;  // of the port's name
 };
-/// The port that the word at byte `at` names in a graph: behind its owner (`pendulum.theta`), or
-/// where the owner selects it.
+/// The port that the word at byte `at` names in a graph: after its owner (`pendulum.theta`), or in
+/// the owner's list of ports.
 std::optional<PortUse> port_in_graph(std::string_view text, std::size_t at);
 /// The port that is declared at byte `at` of a manifest.
 std::optional<PortUse> port_in_manifest(std::string_view text, std::size_t at);
 
-/// All places of a graph where port `port` of an entity is named, whatever objects and nodes are
-/// made of it.
+/// All places of a graph that name the port `port` of an entity, for all objects and nodes of that
+/// entity.
 std::vector<Bytes> uses_of_port(std::string_view graph, const std::string& id,
                                 const std::string& port);
-/// All places of a manifest: of the entity itself, of its implementations, of what is made of it.
+/// All places of a manifest: that of the entity itself, of its implementations, and of entities
+/// that contain it.
 std::vector<Bytes> uses_of_port_in_manifest(std::string_view manifest, const std::string& id,
                                             const std::string& port);
 /// In the header of a node's class: `in.port`, `out.port`, `Io::Inputs::port` and the like.

@@ -1,6 +1,6 @@
-// Changes of what a graph is made of: objects, nodes, connections, their keys. Each is a splice;
-// comments, order, indentation and line ends of everything else stay as somebody wrote them. They
-// work on a file that is half written, and are refused where they would not do what they say.
+// Changes of a graph's structure: objects, nodes, connections, their keys. Each is a splice that
+// leaves comments, order, indentation and line ends of everything else alone. Changes work on
+// incomplete files, and are rejected if they would not have the intended effect.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace eagerx::gen {
 
-/// A change of the text, or why there is none.
+/// A change of the text, or the reason why it is impossible.
 struct Change {
   std::optional<Edit> edit;
   std::string problem = {};  // if there is none
@@ -32,10 +32,10 @@ struct NewEntry {
   std::vector<KeyValue> parameters = {};  // under `config:`
 };
 
-/// Whether a text is one value of YAML wherever it stands, also within braces.
+/// Whether a text is a single YAML value in any context, also within braces.
 bool is_one_value(const std::string& value);
 
-/// Adds it behind the others of its section, as they are written: in braces or on lines.
+/// Adds an entry after the others of its section, in their style: in braces or on lines.
 Change add_entry(std::string_view text, const NewEntry& entry);
 
 /// Replaces the value at `path`, or adds the key, and those above it that are missing.

@@ -1,4 +1,4 @@
-// Entries that are taken out of a text, with the comma or the lines that were theirs alone.
+// Removes entries from a text, with their commas or lines.
 #include <algorithm>
 
 #include "generator/tools/edit/written.hpp"

@@ -15,7 +15,7 @@ inline bool is_letter(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// The text of the scalar at `key`; empty where there is none.
+/// The text of the scalar at `key`; empty if there is none.
 inline std::string text_at(const OutlineNode& map, std::string_view key) {
   const OutlineNode* const value = map.find(key);
   return value != nullptr ? value->text : std::string();

@@ -24,7 +24,7 @@ void add_content(const OutlineNode& node, const OutlinePath& left_out, std::size
   for (std::size_t i = 0; i < node.entries.size(); ++i) {
     const bool on = on_way && depth < left_out.size() && is_same(left_out[depth], node, i);
     if (on && depth + 1 == left_out.size()) continue;
-    // What holds nothing else is as good as not there.
+    // An entry without other content counts as missing.
     std::string inner;
     add_content(node.entries[i].value, left_out, depth + 1, on, inner);
     if (on && inner.empty()) continue;
@@ -73,7 +73,8 @@ bool Written::is_in_flow(const OutlinePath& path) const {
 }
 
 std::size_t Written::end_of(const OutlineEntry& entry) const {
-  // What is on lines ends with the last of it; comments and empty lines behind belong to no value.
+  // A value on several lines ends with its last entry; comments and empty lines after it belong to
+  // no value.
   const OutlineNode& value = entry.value;
   if (!value.flow && !value.entries.empty()) return end_of(value.entries.back());
   std::size_t end = std::min(entry.whole.end, text_.size());

@@ -1,4 +1,4 @@
-// A text of YAML with its outline, and how it is laid out. Inside edit/ only.
+// A YAML text with its outline and layout. Inside edit/ only.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ class Written {
     return std::string_view(text_).substr(begin, end - begin);
   }
   [[nodiscard]] std::string_view in(Bytes bytes) const { return in(bytes.begin, bytes.end); }
-  /// Changes the text; what was found in it before is no more.
+  /// Changes the text, and invalidates earlier results.
   void replace(Bytes place, std::string_view with);
 
   /// Of a path that is not empty: its key or item, or nullptr.
@@ -40,7 +40,7 @@ class Written {
   [[nodiscard]] bool has_dash(const OutlineEntry& entry) const;
 
   [[nodiscard]] std::size_t line_begin(std::size_t at) const;
-  /// Without what ends the line.
+  /// The end of the line, without its newline.
   [[nodiscard]] std::size_t line_end(std::size_t at) const;
   /// Where the next line begins, or the text ends.
   [[nodiscard]] std::size_t next_line(std::size_t at) const;
@@ -52,7 +52,7 @@ class Written {
 
   /// "\n" or "\r\n", as its first line ends.
   [[nodiscard]] const std::string& newline() const { return newline_; }
-  /// By how many blanks what is in a section is indented.
+  /// Number of blanks by which a section is indented.
   [[nodiscard]] std::size_t step() const;
 
  private:
@@ -60,8 +60,7 @@ class Written {
   OutlineNode top_;
 };
 
-/// All keys, values and their order, without how they are laid out and without what is at `left
-/// out`.
+/// All keys and values in order, without layout and without the entry at `left_out`.
 std::string content_of(const OutlineNode& top, const OutlinePath& left_out = {});
 
 // The parts of structural changes. False: it is not possible there.

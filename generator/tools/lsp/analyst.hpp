@@ -44,10 +44,10 @@ class Analyst {
   /// All manifests of folders of the user in that library.
   virtual std::vector<std::string> own_manifests(const std::string& path,
                                                  const std::string& text) = 0;
-  /// Folders of the user besides those that graphs name.
+  /// Folders of the user other than those that graphs name.
   [[nodiscard]] virtual std::vector<std::string> folders() const = 0;
 
-  /// The text that counts for a file, whatever the disk has; nothing: the disk counts again.
+  /// Sets the text that replaces a file on the disk; nullopt: uses the file again.
   virtual void set_text(const std::string& path, std::optional<std::string> text) = 0;
   /// That text.
   virtual std::optional<std::string> text_of(const std::string& path) = 0;

@@ -26,15 +26,15 @@ struct Completion {
   std::vector<Proposal> proposals;
 };
 
-/// The keys, ids, parameters, ports and values of `library` that fit at byte `at`, the likeliest
-/// first: what is required and missing, ports that nothing is connected to yet. Those that begin
-/// with what was typed come before those that only contain it. With `snippets` also entities with
-/// all that they require.
+/// The keys, ids, parameters, ports and values of `library` that fit at byte `at`, the most likely
+/// first: missing required keys, ports without a connection. Completions that begin with the typed
+/// text come before those that only contain it. With `snippets`, also entities with all required
+/// keys.
 Completion complete(const LibraryFacts& library, std::string_view text, std::size_t at,
                     bool snippets = false);
 
-/// The hover text of the key or value at byte `at`, in Markdown; empty: none. With what is
-/// `resolved` also rates, spaces, delays and ages.
+/// The hover text of the key or value at byte `at`, in Markdown; empty: none. With a `resolved`
+/// graph, also rates, spaces, delays and ages.
 struct Hover {
   Bytes word;
   std::string text;

@@ -1,4 +1,4 @@
-// A new name of a port: in its manifest, its header, and all that names it.
+// Renames a port in its manifest, its header and all references.
 #include <fmt/format.h>
 
 #include <utility>

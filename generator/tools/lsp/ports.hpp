@@ -1,4 +1,4 @@
-// The ports of a graph that may be half written: what its connections can name.
+// Ports of a possibly incomplete graph that connections can name.
 #pragma once
 
 #include <functional>

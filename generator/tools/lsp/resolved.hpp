@@ -1,5 +1,5 @@
-// Facts about a graph beyond its text: rates, spaces, delays, ages. Of the last text that had
-// no error, by names, so that it still serves while somebody types.
+// Facts about a graph beyond its text: rates, spaces, delays, ages. They come from the last text
+// without errors and are found by name, so that they stay available during typing.
 #pragma once
 
 #include <map>
@@ -28,13 +28,13 @@ struct Resolved {
 /// A name without the indices of elements: "leg[0].torque" and "leg[*].torque" are "leg.torque".
 std::string without_indices(std::string_view name);
 
-/// A few words behind a place of the text.
+/// A few words after a place in the text.
 struct InlayHint {
   std::size_t at = 0;  // byte
   std::string text, about;
 };
-/// Messages a tick and their age behind the ends of connections, what is not written but holds,
-/// and rates that nodes have without one of their own; of the bytes `within`.
+/// Hints in the bytes `within`: messages per tick and their age after the ends of connections,
+/// defaults, and rates of nodes without a `rate`.
 std::vector<InlayHint> inlay_hints(const OutlineNode& graph, const Resolved& resolved,
                                    Bytes within);
 

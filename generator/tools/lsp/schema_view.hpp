@@ -1,5 +1,5 @@
-// The view of a JSON schema (draft-07, as `eagerx-gen schema` writes it) at a place in a file that
-// may be half written.
+// The part of a JSON schema (draft-07, as `eagerx-gen schema` writes it) that applies at a place in
+// a possibly incomplete file.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ namespace eagerx::gen::lsp {
 /// All parts of a schema that speak of one value, those of types and alternatives included.
 using Schemas = std::vector<const Json*>;
 
-/// Of the value at `path`. Alternatives that contradict each other are all in it; of what depends
-/// on other keys (`if`), what holds for `top`.
+/// The schemas of the value at `path`. Contains all alternatives, even if they contradict each
+/// other; of conditional schemas (`if`), those that apply to `top`.
 Schemas schemas_at(const Json& schema, const OutlineNode& top, const OutlinePath& path);
 
 struct SchemaKey {

@@ -1,4 +1,4 @@
-// The language server of graph files: requests of an editor, and the answers.
+// The language server of graph files: requests of an editor and their answers.
 #pragma once
 
 #include <map>
@@ -15,12 +15,12 @@
 
 namespace eagerx::gen::lsp {
 
-/// LSP 3.17. Messages go in, and what is to be sent comes out, in its order.
+/// LSP 3.17. Takes messages, and returns the messages to send, in order.
 class Server {
  public:
   explicit Server(Analyst& analyst) : analyst_(analyst) {}
 
-  /// Takes one message; what is no JSON-RPC gets an answer that says so.
+  /// Takes one message; invalid JSON-RPC is answered with an error.
   void take(std::string_view content);
   /// Checks the documents that were changed since. The first call takes all messages that are
   /// there, so that no request waits for the check of an outdated text.
@@ -28,7 +28,7 @@ class Server {
   /// The messages to send.
   std::vector<std::string> take_answers();
   [[nodiscard]] bool has_ended() const { return ended_; }
-  /// 0 after `shutdown`, else 1, as the protocol asks for.
+  /// 0 after `shutdown`, else 1, as the protocol requires.
   [[nodiscard]] int exit_code() const { return shut_down_ ? 0 : 1; }
 
  private:
@@ -41,7 +41,7 @@ class Server {
     SourceMap sources;
   };
 
-  /// A result, or why there is none.
+  /// A result or an error.
   struct Answer {
     Json result;
     int error = 0;  // of JSON-RPC; 0: none
@@ -98,7 +98,7 @@ class Server {
   std::map<std::string, Document, std::less<>> documents_;  // by URI
   std::vector<std::string> answers_;
   bool initialized_ = false, shut_down_ = false, ended_ = false;
-  // What the editor can do:
+  // Capabilities of the editor:
   bool takes_snippets_ = false, watches_ = false, watches_folders_ = false, refreshes_ = false;
   int asked_ = 0;  // requests to the editor
 };

@@ -8,9 +8,9 @@
 
 namespace eagerx::gen::lsp {
 
-/// Behind `type: `: the id, and the keys and parameters that its manifest requires and `owner`, the
-/// map that the type is in, has not yet. In braces on the same line, else on lines indented by
-/// `indent`. Only the id if nothing is missing.
+/// After `type: `: the id, and the keys and parameters that its manifest requires and that `owner`,
+/// the map with the type, lacks. In braces on the same line, else on lines indented by `indent`.
+/// Only the id if nothing is missing.
 struct SnippetPlace {
   const OutlineNode& graph;
   const OutlinePath& owner;  // of the map with the type: {"nodes", "smooth"}

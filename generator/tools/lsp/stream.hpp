@@ -16,7 +16,7 @@ class MessageReader {
 
   /// Takes bytes as they come.
   void add(std::string_view bytes);
-  /// The content of the next message, if it is there.
+  /// The content of the next message, if it is complete.
   std::optional<std::string> next();
   /// The stream is none of this protocol, or a message is larger than any may be: it ends here.
   [[nodiscard]] bool is_broken() const { return broken_; }

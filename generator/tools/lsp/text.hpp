@@ -13,7 +13,8 @@ struct Position {
   std::uint32_t line = 0, character = 0;
 };
 
-/// The byte at a position. Behind the end of its line: that end; behind the last line: the end.
+/// The byte at a position. Positions after the end of a line give that end; positions after the
+/// last line give the end of the text.
 std::size_t byte_at(std::string_view text, Position position);
 Position position_at(std::string_view text, std::size_t byte);
 

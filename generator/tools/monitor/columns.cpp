@@ -108,7 +108,7 @@ TableColumns table_columns(std::size_t columns) {
   take(widths.plot, kPlot);
   take(widths.limit, kLimit);
   widths.name = left;
-  // What is over goes to the plot, as soon as a name has room.
+  // Once names have enough room, the plot gets part of the rest.
   constexpr std::size_t kUsualName = 26;
   if (widths.plot > 0 && left > kUsualName) {
     const std::size_t over = (left - kUsualName) * 2 / 3;

@@ -1,5 +1,4 @@
-// The table of the screen: which columns there is room for, and what is in them. Inside monitor/
-// only.
+// The table of the screen: the columns that fit, and their contents. Inside monitor/ only.
 #pragma once
 
 #include "generator/tools/monitor/screen_lines.hpp"

@@ -14,7 +14,7 @@ std::vector<double> of_each(const std::vector<double>& bounds, std::uint64_t siz
 }
 
 const Space& space_of(const Graph& graph, const Channel& channel) {
-  // What an action may be is also said by the actuators that take it.
+  // The actuators of an action limit it, too.
   if (channel.node == Graph::kEnvironment && channel.output < graph.applied.size())
     return graph.applied[channel.output].space;
   return graph.nodes[channel.node].outputs[channel.output].space;

@@ -27,7 +27,7 @@ class FoxgloveSource final : public Source, private web_socket::WebSocketListene
  public:
   explicit FoxgloveSource(std::string name) : name_(std::move(name)) {}
 
-  /// Empty, or what is wrong.
+  /// Empty, or the problem.
   std::string open(const publish::Address& at) {
     std::string problem;
     client_ = web_socket::web_socket_client(

@@ -1,4 +1,4 @@
-// How near a message is to its limits.
+// Distance of a message from its limits.
 #pragma once
 
 #include <cstddef>

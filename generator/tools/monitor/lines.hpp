@@ -7,10 +7,10 @@
 
 namespace eagerx::gen {
 
-/// The columns, separated by tabs, behind `# `.
+/// The columns, separated by tabs, after `# `.
 std::string lines_head();
-/// A line that begins with `# `: graph, episode, step, time, and what was wrong with the stream.
-/// Then a line for each channel. What is not known is `-`.
+/// A line that begins with `# `: graph, episode, step, time, and problems of the stream. Then a
+/// line for each channel. `-` means unknown.
 std::string lines_text(const Model& model);
 
 }  // namespace eagerx::gen

@@ -1,5 +1,5 @@
-// The page of a graph while its program runs: a server of this machine that shows it, and tells it
-// by Foxglove's protocol what a source tells.
+// The live page of a running program: a local server serves the page, and sends it the events of a
+// source in Foxglove's protocol.
 #pragma once
 
 #include <string>

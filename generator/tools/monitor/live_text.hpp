@@ -31,7 +31,7 @@ class Arrivals {
 
 /// The topic `/monitor`.
 foxglove::Topic monitor_topic();
-/// A message of it: all that `eagerx-gen monitor` shows. `note`: what became of the source; empty:
+/// A message with everything that `eagerx-gen monitor` shows. `note`: the end of the source; empty:
 /// it continues.
 std::string monitor_text(const Model& model, const Arrivals& arrivals, const std::string& note);
 

@@ -91,7 +91,8 @@ void Model::add_expected() {
 void Model::forget() {
   channels_.clear();
   places_.clear();
-  // What comes is known, which may be a part of the graph; or it is not.
+  // A stream may list its channels, which can be those of one part; if it does not, expect those of
+  // the whole graph.
   if (facts_.channels.empty()) add_expected();
   step_ = {};
   steps_ = {};

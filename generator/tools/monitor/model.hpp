@@ -1,4 +1,4 @@
-// The state of a stream: all that a screen or a script is shown. Nothing here has a clock, a
+// The state of a stream: everything that a screen or a script shows. Nothing here uses a clock, a
 // socket or a terminal.
 #pragma once
 
@@ -25,7 +25,7 @@ inline constexpr double kRateTolerance = 0.1;      // of the planned rate: `rate
 // plan:
 inline constexpr double kSilentS = 0.5, kUnplannedSilentS = 2.0;
 
-/// A channel as it is seen now.
+/// The current state of a channel.
 struct WatchedChannel {
   std::string name;
   std::uint64_t elements = 0;              // of the last message
@@ -39,7 +39,7 @@ struct WatchedChannel {
   const ExpectedChannel* expected = nullptr;
 };
 
-/// The counts of a channel besides its values.
+/// The counts of a channel, in addition to its values.
 struct ChannelState {
   std::optional<double> measured_hz;
   std::optional<double> age_s;
@@ -67,7 +67,7 @@ class SpeedMeter {
 
 class Model final : public StreamListener {
  public:
-  /// `expected` lives as long as this; null: no graph is known.
+  /// `expected` must outlive this; null: unknown graph.
   explicit Model(const Expected* expected);
 
   bool begin(const StreamFacts& facts) override;
@@ -75,7 +75,7 @@ class Model final : public StreamListener {
   void step(const StreamStep& step) override;
   void fault(StreamFault fault, std::uint64_t count) override;
 
-  /// The watcher's clock; asked before a source is read and before anything is shown.
+  /// Sets the watcher's clock. Call it before reading a source and before showing anything.
   void now(std::int64_t now_ns) { now_ns_ = now_ns; }
 
   [[nodiscard]] const std::vector<WatchedChannel>& channels() const { return channels_; }
@@ -118,7 +118,7 @@ class Model final : public StreamListener {
   std::int64_t now_ns_ = 0;
   std::optional<std::int64_t> real_ns_, came_ns_;  // of the last message
   SpeedMeter speed_;
-  // How much a message is behind the graph's clock, at the least in this episode.
+  // The smallest delay of a message behind the graph's clock in this episode.
   std::optional<std::int64_t> least_ns_;
   std::optional<std::uint32_t> episode_;
   std::uint32_t part_ = 0;

@@ -1,4 +1,4 @@
-// How often something comes.
+// Measures the rate of events.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@ namespace eagerx::gen {
 class RateMeter {
  public:
   void add(std::int64_t at_ns);
-  /// In the last two seconds; of what comes more seldom, by the last two times. Nothing before
-  /// there are two. What has stopped is slower and slower.
+  /// The rate in the last two seconds; for rarer events, from the last two times. nullopt before
+  /// two events. After the last event, the rate falls gradually.
   [[nodiscard]] std::optional<double> hz(std::int64_t now_ns) const;
 
  private:

@@ -1,5 +1,5 @@
-// Files that grow while a stream continues: a reader, or a user who kills the monitor, has
-// everything up to the last second. Inside monitor/ only.
+// Files that grow during a stream: they contain everything up to the last second, even if the
+// monitor is killed. Inside monitor/ only.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace eagerx::gen {
 /// MCAP, as `eagerx-gen trace convert` writes it.
 std::unique_ptr<publish::PublishSink> mcap_file(const std::string& path,
                                                 const publish::PublishedChannels& channels);
-/// A trace of one run, without its last line. `facts` live as long as this.
+/// A trace of one run, without its last line. `facts` must outlive it.
 std::unique_ptr<publish::PublishSink> trace_file(const std::string& path, const StreamFacts& facts,
                                                  const publish::PublishedChannels& channels);
 

@@ -42,7 +42,7 @@ class Recording final : public StreamListener {
   /// Called often, and every few milliseconds where has_clients().
   void idle();
   [[nodiscard]] bool has_clients() const;
-  /// Empty, or what is wrong.
+  /// Empty, or the problem.
   std::string finish();
   /// The problem so far; empty: none.
   [[nodiscard]] const std::string& problem() const { return problem_; }

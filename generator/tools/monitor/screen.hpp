@@ -1,4 +1,4 @@
-// The terminal, drawn by ncurses. The only part of the generator that knows it.
+// The terminal, drawn by ncurses. No other part of the generator uses ncurses.
 #pragma once
 
 #include <memory>

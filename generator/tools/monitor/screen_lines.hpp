@@ -1,4 +1,4 @@
-// The contents of a screen as lines of text: nothing here knows a terminal.
+// The contents of a screen as lines of text, independent of a terminal.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,8 @@ struct ScreenSize {
 };
 inline constexpr std::size_t kLeastRows = 8, kLeastColumns = 40;
 
-/// As many lines as there are rows, none wider than there are columns. `source`: as the user wrote
-/// it; `note`: what has become of it, such as that it has ended. Keeps the selected row in sight.
+/// One line for each row, at most as wide as the screen. `source`: as the user wrote it; `note`:
+/// its state, for example that it has ended. Keeps the selected row visible.
 std::vector<ScreenLine> screen_lines(const Model& model, ScreenView& view, const ScreenSize& size,
                                      const std::string& source, const std::string& note);
 

@@ -104,7 +104,7 @@ class SerialSource final : public Source, private telemetry::Listener {
     values_.clear();
     for (std::size_t i = 0; i < std::min<std::uint64_t>(channel.size, kMostStreamElements); ++i)
       values_.push_back(written_number(channel.dtype, message.values[i]));
-    // What a file had before says nothing of now.
+    // Earlier contents of a file have no current time.
     const std::optional<std::int64_t> real_ns =
         live_ || !grows_ ? std::optional(now_ns_) : std::nullopt;
     listener_->message({channel.name, values_, message.values, channel.size, message.episode,

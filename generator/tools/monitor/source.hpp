@@ -1,4 +1,4 @@
-// Where a stream comes from. Each kind of source is a file of its own.
+// Source of a stream. Each kind of source has its own file.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ class Source {
   virtual ~Source() = default;
   /// The file descriptor for poll(); -1: it is polled by a timer.
   [[nodiscard]] virtual int descriptor() const = 0;
-  /// Tells what has come, but of a flood only so much that a screen can be drawn in between. Never
-  /// waits. `now_ns`: of a steady clock.
+  /// Passes on events that have arrived, but limits a flood, so that the screen can be drawn in
+  /// between. Never waits. `now_ns`: from a steady clock.
   virtual State read(std::int64_t now_ns, StreamListener& listener) = 0;
   /// "error: …", with a line of help where there is one.
   [[nodiscard]] virtual std::string problem() const = 0;
@@ -31,9 +31,9 @@ class Source {
   [[nodiscard]] virtual std::string warning() const { return {}; }
 };
 
-/// Opens what the user calls `name`: `udp:[HOST:]PORT`, `foxglove:[HOST:]PORT`, `serial:DEVICE`, or
-/// the file of a trace or a recording. `layout`: the text of the board's `telemetry.json`, or
-/// empty. Null: `problem` says why.
+/// Opens the source that the user names: `udp:[HOST:]PORT`, `foxglove:[HOST:]PORT`,
+/// `serial:DEVICE`, or the file of a trace or a recording. `layout`: the text of the board's
+/// `telemetry.json`, or empty. Null: see `problem`.
 std::unique_ptr<Source> open_source(const std::string& name, const std::string& layout,
                                     std::string& problem);
 
@@ -44,8 +44,8 @@ std::unique_ptr<Source> open_udp_source(const std::string& name, std::string_vie
 /// A client of a program's server of Foxglove's protocol at `[HOST:]PORT`.
 std::unique_ptr<Source> open_foxglove_source(const std::string& name, std::string_view address,
                                              std::string& problem);
-/// The serial line of a board that sends telemetry, as `layout` (the text of its `telemetry.json`)
-/// says; also a pipe, or a file of what one has given.
+/// The serial line of a board that sends telemetry, described by `layout` (the text of its
+/// `telemetry.json`); also a pipe, or a file with recorded bytes.
 std::unique_ptr<Source> open_serial_source(const std::string& path, const std::string& layout,
                                            std::string& problem);
 /// The file of a trace, which may grow.

@@ -1,5 +1,4 @@
-// Whether datagrams come as they were sent: which are late, which are of another run, how many are
-// missing.
+// Order of datagrams: finds late ones, those of another run, and how many are missing.
 #pragma once
 
 #include <cstdint>

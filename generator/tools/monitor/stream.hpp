@@ -1,4 +1,4 @@
-// Events of a stream of messages: the same of all kinds.
+// Events of a stream of messages, the same for all kinds of source.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace eagerx::gen {
 
-// A stream comes from anybody. These bound what is kept of one: about 60 MB.
+// A stream is not trusted. These limits bound its memory: about 60 MB.
 inline constexpr std::size_t kMostStreamChannels = 2'000;
 inline constexpr std::size_t kMostStreamElements = 1'024;  // of a message; what follows is dropped
 

@@ -1,4 +1,4 @@
-// Shared parts of loops over a source. Inside monitor/ only.
+// Helpers for loops over a source. Inside monitor/ only.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ void end_at_signals();
 /// Of a steady clock.
 [[nodiscard]] std::int64_t steady_ns();
 
-/// Why the stream was refused, and what to do.
+/// The reason why the stream was rejected, and a fix.
 [[nodiscard]] std::string refusal_text(const Model& model);
 
 /// Shown messages are also recorded, as soon as the stream is accepted.

@@ -1,4 +1,4 @@
-// Numbers of messages as traces have them. Inside monitor/ only.
+// Numbers of messages, formatted as in traces. Inside monitor/ only.
 #pragma once
 
 #include <cstdint>

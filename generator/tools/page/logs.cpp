@@ -1,5 +1,5 @@
-// Traces on the page: of each part of the time the least and the greatest value, so that no peak of
-// a long trace is lost.
+// Traces on the page: minimum and maximum of each time interval, so that a long trace keeps its
+// peaks.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// Everything that is known of a graph as one page of HTML that needs nothing else: no network, no
-// server, no other file.
+// All information about a graph as one HTML page that needs no network, server or other file.
 #pragma once
 
 #include <cstddef>
@@ -38,17 +37,17 @@ struct PageContents {
   bool is_live = false;                              // who shows it also tells it what a run sends
 };
 
-/// The block of data of the page: `info` is what `eagerx-gen info --json` prints.
+/// The data of the page: `info` is the output of `eagerx-gen info --json`.
 Json page_json(const PageContents& contents);
 
 /// The page: `page.html` of `folder` with its style, its modules joined to one script, and the
-/// data. Bytes are the same on every machine. What stands in `data` stays data: it can close no
-/// element and begin none. With a module the page may run it; a live one may speak with who shows
-/// it. Problems: E0301 a file of the template cannot be read.
+/// data. Bytes are the same on every machine. Text in `data` stays data: it can neither close nor
+/// begin an element. With a module, the page may run it; a live page may connect to its server.
+/// Problems: E0301 a file of the template cannot be read.
 std::optional<std::string> page_text(const std::string& folder, const PageContents& contents,
                                      Diagnostics& diagnostics);
 
-/// The parts of a page besides its data, and its permissions.
+/// The parts of a page other than its data, and its permissions.
 struct PageForm {
   std::vector<std::string> entries;  // the modules that it begins with, in their order
   bool runs_module = false;          // of WebAssembly

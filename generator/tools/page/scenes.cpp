@@ -94,7 +94,8 @@ Json scenes_json(const Log& log, std::uint32_t episode, std::size_t most_bytes) 
   std::size_t every = 1;
   Encoder encoder = encode(log, episode, every);
   while (encoder.bytes().size() > most_bytes && encoder.scenes() > 1) {
-    // What is left out does not make all of the bytes less: at least twice as few each time.
+    // The size does not shrink in proportion to the scenes, so each try at least halves their
+    // number.
     every = std::max(2 * every, every * (encoder.bytes().size() / most_bytes));
     encoder = encode(log, episode, every);
   }

@@ -15,7 +15,7 @@ struct PilRecording {
   std::uint32_t episodes = 0;
 };
 
-/// Of the log in the file `path`, for a graph with a `cut`. `problem`: why there is none.
+/// The recording in the log `path`, for a graph with a `cut`. nullopt: see `problem`.
 std::optional<PilRecording> recording_of(const std::string& path, const Graph& graph,
                                          std::string& problem);
 

@@ -1,4 +1,4 @@
-// Two logs of a program, message by message.
+// Compares two logs of a program message by message.
 #pragma once
 
 #include <string>

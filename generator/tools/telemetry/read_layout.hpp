@@ -1,4 +1,4 @@
-// telemetry.json, which the generator wrote next to a program: nothing in it is trusted.
+// Reads telemetry.json, which the generator writes next to a program. Its contents are not trusted.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace eagerx::gen {
 
-/// nullopt: `problem` says what is wrong with the text, without the name of its file.
+/// nullopt: see `problem`, which does not contain the name of the file.
 std::optional<telemetry::Layout> read_telemetry_layout(std::string_view text, std::string& problem);
 
 }  // namespace eagerx::gen

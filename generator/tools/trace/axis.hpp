@@ -1,4 +1,4 @@
-// From values to places on a picture, and the round numbers at its edge.
+// Maps values to places in a plot, and chooses the numbers on its axes.
 #pragma once
 
 #include <string>

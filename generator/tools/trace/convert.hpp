@@ -1,4 +1,4 @@
-// A log in the form of other tools.
+// Converts a log for other tools.
 #pragma once
 
 #include <runtime/host/trace/log_file.hpp>
@@ -18,8 +18,8 @@ std::string converted(const trace_log::Log& log, TraceFormat format);
 std::string column_name(const trace_log::RecordedChannel& channel, std::uint64_t element);
 /// Foreign text as a string of JSON.
 std::string quoted_json(const std::string& text);
-/// "[0.5,-1]" or, of a message with one number, "0.5". Numbers have the fewest digits that give the
-/// same bits; what is not finite is null.
+/// "[0.5,-1]" or, for a message with one number, "0.5". Numbers have the fewest digits that give
+/// the same bits; non-finite numbers are null.
 std::string json_values(const trace_log::Log& log, const trace_log::Row& row);
 
 std::string trace_csv(const trace_log::Log& log);

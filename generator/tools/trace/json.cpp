@@ -36,7 +36,8 @@ std::string arguments_of(const Log& log, const trace_log::Row& row) {
 
 /// Microseconds with their nanoseconds, in whole numbers so that long logs lose nothing.
 std::string microseconds(std::int64_t time_ns) {
-  // What was sent first may be early, so that its episode would have begun before the log.
+  // A first message that was sent early can give its episode a start before the log, so times may
+  // be negative.
   const std::int64_t size_ns = time_ns < 0 ? -time_ns : time_ns;
   return fmt::format("{}{}.{:03}", time_ns < 0 ? "-" : "", size_ns / 1000, size_ns % 1000);
 }

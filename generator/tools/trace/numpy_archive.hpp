@@ -8,7 +8,7 @@
 namespace eagerx::gen {
 
 /// A zip file of stored entries (PKWARE's APPNOTE 6.3), each in NumPy's format 1.0
-/// (numpy.lib.format): what numpy.savez writes. The same bytes on every machine.
+/// (numpy.lib.format), like those of numpy.savez. The same bytes on every machine.
 class NumpyArchive {
  public:
   /// `type`: that of numpy.dtype, such as "<f8". `shape`: its text between parentheses, "3, 2" or

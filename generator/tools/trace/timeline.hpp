@@ -1,4 +1,4 @@
-// When the messages of a log were sent.
+// Times at which the messages of a log were sent.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct Timeline {
   std::vector<std::int64_t> planned_ns;
 };
 Timeline timeline_of(const trace_log::Log& log);
-/// When a tick begins, behind the start of its episode.
+/// Time of a tick since the start of its episode.
 std::int64_t time_of_tick(const trace_log::RecordedChannel& channel, std::uint64_t tick);
 
 }  // namespace eagerx::gen

@@ -11,7 +11,7 @@
 
 namespace eagerx::gen {
 
-/// Columns of a curve besides `steps`, as `train --csv` and `train --record` call them.
+/// Columns of a curve other than `steps`, named as in `train --csv` and `train --record`.
 inline constexpr std::array<std::string_view, 10> kCurveColumns = {
     "return",        "success_rate", "eval_return", "eval_success_rate", "std",
     "learning_rate", "approx_kl",    "stage",       "stage_return",      "stage_success_rate"};
@@ -29,9 +29,9 @@ struct LearningCurve {
   std::vector<std::vector<double>> terms;  // [terms] of the reward, of evaluations
 };
 
-/// A list of {name, unit, lines}; a line is {name, x, y}, and, of several curves or of more points
-/// than a page has, {low, high} of what each point stands for. Of several curves it is their mean,
-/// and one that has ended stays as it was.
+/// A list of {name, unit, lines}; a line is {name, x, y}, and, for several curves or for more
+/// points than the page shows, {low, high} of the values behind each point. For several curves it
+/// is their mean; a curve that has ended keeps its last value.
 Json curve_charts(const std::vector<LearningCurve>& curves, const std::vector<std::string>& terms);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// A file of a training line by line, and its problems at their lines.
+// Reads a file of a training line by line, and reports problems with their lines.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ class TrainingLines {
   /// The next line without its end; nothing after the last one, or with a problem if that has none.
   std::optional<std::string_view> next();
 
-  /// E0363: what is wrong with the line that next() gave. Returns false.
+  /// Reports a problem of the line that next() returned: E0363. Returns false.
   bool fail(const std::string& what);
   [[nodiscard]] bool has_failed() const { return has_failed_; }
 

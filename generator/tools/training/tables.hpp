@@ -1,4 +1,4 @@
-// Tables of trainings: the curve of `train --csv`, and what a sweep writes with `--results`.
+// Tables of trainings: the curve of `train --csv`, and the results of a sweep (`--results`).
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ std::optional<TrainingRecord> read_sweep(TrainingLines& lines);
 /// The first line of a sweep's results.
 extern const std::string_view kSweepHeader;
 
-/// Cells of a line; what is between quotes is one, without them.
+/// Cells of a line; quoted text is one cell, without the quotes.
 std::vector<std::string_view> cells_of(std::string_view line);
 
 }  // namespace eagerx::gen

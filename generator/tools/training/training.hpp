@@ -23,14 +23,14 @@ struct TrainingEpisode {
 struct TrainingRecord {
   Json page;          // what the page shows, but for episodes that are run again
   std::string graph;  // its name; empty: a table does not say
-  /// The file of the best policy, as passed to the training, and a hash of what was written there;
-  /// empty: none was.
+  /// The file of the best policy, as passed to the training, and the hash of the written file;
+  /// empty: none was written.
   std::string policy, policy_hash;
   std::vector<TrainingEpisode> episodes;  // of that policy; empty: they are not known
 };
 
-/// Reads what `train --record`, `train --csv` or, of a sweep, `train --results` wrote. Problems:
-/// E0363 it cannot be read, with the line; nullopt.
+/// Reads a file of `train --record`, `train --csv` or, for a sweep, `train --results`. nullopt and
+/// E0363, with the line, if it cannot be read.
 std::optional<TrainingRecord> read_training(const std::string& path, SourceMap& sources,
                                             Diagnostics& diagnostics);
 

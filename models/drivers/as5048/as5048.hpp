@@ -63,7 +63,7 @@ class MagneticEncoder {
 
   /// After run(): the angle in counts, 0 to 16383. Errors: parity, refused (error flag set by an
   /// earlier command), not_ready (no measurement, overflow, a line stuck at 0), out_of_range
-  /// (magnet too near or too far; the angle is given all the same).
+  /// (magnet too near or too far; the angle is returned anyway).
   BusError angle(std::uint16_t& counts) {
     const std::uint16_t angle = big_endian(angle_);
     const std::uint16_t diagnostics = big_endian(diagnostics_);

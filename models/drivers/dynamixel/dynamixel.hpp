@@ -122,9 +122,8 @@ class DynamixelX {
     return packet(kWrite, parameters, 2 + (bytes < 4 ? bytes : 4));
   }
 
-  /// Asks for the position and waits for it, in counts. Errors: those of the line and of the
-  /// status packet. On a line with flush(), what came in before, such as an answer that was too
-  /// late, is thrown away.
+  /// Requests the position and waits for it, in counts. Errors: those of the line and of the status
+  /// packet. On a line with flush(), discards earlier bytes, such as a late answer.
   template <UartBus Bus>
   BusError position(Bus& bus, std::int32_t& counts) const {
     constexpr std::size_t kHead = 7;

@@ -7,7 +7,7 @@
 namespace eagerx::drivers {
 
 /// 12 bits, one output, V = V_REF · code / 4096 at gain 1. SPI mode 0, up to 20 MHz; a command is a
-/// word of 16 bits that counts at the rising edge of the select line:
+/// 16-bit word that takes effect at the rising edge of the select line:
 ///   15 zero (write), 14 buffered reference, 13 gain 1 (0: gain 2), 12 output on, 11…0 code
 /// Source: Microchip DS22248A, register 5-2. The device sends nothing, so nothing is checked.
 class Mcp4921 {

@@ -32,7 +32,8 @@ class Mpu6050 {
                              GyroRange gyro = GyroRange::dps250)
       : address_(address), acceleration_(acceleration), gyro_(gyro) {}
 
-  /// Queues what wakes the chip up and sets ranges and filter (`filter` 0 to 6, 5 to 260 Hz).
+  /// Queues the transfers that wake the chip up and set ranges and filter (`filter` 0 to 6, 5 to
+  /// 260 Hz).
   template <I2cBus Bus>
   void configure(Bus& bus, std::uint8_t filter = 3) {
     write(bus, kPowerManagement1, kClockOfGyroX, setup_[0]);

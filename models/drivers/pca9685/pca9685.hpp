@@ -45,8 +45,8 @@ class Pca9685 {
     return duty >= Real(1) ? kCounts : static_cast<std::uint16_t>(duty * kCounts + Real(0.5));
   }
 
-  /// Queues what sets the frequency and switches the oscillator on; channels stay off until they
-  /// are written. The oscillator needs 500 µs: the caller waits before the first width.
+  /// Queues the transfers that set the frequency and switch the oscillator on; channels stay off
+  /// until they are written. The oscillator needs 500 µs: wait before the first width.
   template <I2cBus Bus>
   void configure(Bus& bus, double hz) {
     write(bus, kMode1, kSleep | kAutoIncrement, status_[0]);  // PRE_SCALE is open while asleep only
@@ -64,7 +64,7 @@ class Pca9685 {
     bus.i2c({address_, kMaxHz}, bytes, sizeof bytes, nullptr, 0, status_[4]);
     return BusError::none;
   }
-  /// Queues the switching off of all channels at once.
+  /// Queues a transfer that switches all channels off.
   template <I2cBus Bus>
   void all_off(Bus& bus) {
     const std::uint8_t bytes[5] = {kAllChannels, 0, 0, 0, kFull};

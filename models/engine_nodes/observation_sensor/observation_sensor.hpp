@@ -8,7 +8,7 @@
 
 namespace eagerx::models {
 
-/// Every tick: observation [size] := what the model observes in its present state, rounded to the
+/// Every tick: observation [size] := the model's observation of its current state, rounded to the
 /// scalar of the message.
 template <class Io>
 class ObservationSensor {

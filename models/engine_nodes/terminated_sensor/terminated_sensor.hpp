@@ -5,7 +5,7 @@
 
 namespace eagerx::models {
 
-/// Every tick: terminated [] := 1 if any step since the reset said so, else 0.
+/// Every tick: terminated [] := 1 if any step since the reset terminated, else 0.
 template <class Io>
 class TerminatedSensor : public GymSensor<Io, TerminatedSensor<Io>> {
  public:

@@ -5,7 +5,7 @@
 
 namespace eagerx::models {
 
-/// Every tick: truncated [] := 1 if any step since the reset said so, else 0.
+/// Every tick: truncated [] := 1 if any step since the reset truncated, else 0.
 template <class Io>
 class TruncatedSensor : public GymSensor<Io, TruncatedSensor<Io>> {
  public:

@@ -6,7 +6,7 @@
 
 namespace eagerx::models {
 
-/// At a reset: parameter indices[i] := value[i]; the others stay as they are.
+/// At a reset: parameter indices[i] := value[i]; the others are unchanged.
 template <class Io>
 struct ModelParameters {
   static void reset(const typename Io::State& value, typename Io::Simulator& simulator) {

@@ -8,7 +8,7 @@ namespace eagerx::models {
 
 /// At a reset: parameter indices[i] := value[i]. The value has shape [n] for n indices, or [] for
 /// one; if it has as many elements as there are parameters, it is value[indices[i]]. The other
-/// parameters stay as they are.
+/// parameters are unchanged.
 template <class Io>
 struct OdeParameters {
   static void reset(const typename Io::State& value, typename Io::Simulator& simulator) {

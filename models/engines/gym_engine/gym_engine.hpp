@@ -6,7 +6,7 @@
 
 namespace eagerx::models {
 
-/// Makes one step of every object's GymSimulator at each tick, whatever the engine's rate.
+/// Makes one step of every object's GymSimulator at each tick, at any rate of the engine.
 template <class Io>
 class GymEngine {
  public:

@@ -9,7 +9,7 @@
 
 namespace eagerx::models {
 
-/// The results of a step besides the observation.
+/// The results of a step, except the observation.
 template <class Real>
 struct GymOutcome {
   Real reward{};

@@ -1,5 +1,5 @@
-// Numbers of a robot that are known when the program is compiled: products with 0 and ±1 vanish.
-// Limbs of equal shape share code, so a number that differs between them comes from a table.
+// Numbers of a robot that are known at compile time: products with 0 and ±1 vanish. Limbs of equal
+// shape share code, so a number that differs between them comes from a table.
 #pragma once
 
 #include <array>
@@ -226,7 +226,7 @@ struct GroupOf {
   };
 };
 
-/// The bodies of the base, where it floats.
+/// The bodies of a floating base.
 template <class Model>
 struct BaseOf {
   template <std::size_t part>

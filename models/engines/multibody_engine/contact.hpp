@@ -1,6 +1,6 @@
-// Contacts of points with the plane: compliant ones, which are part of the step's one
-// factorisation, and solved ones, whose impulses are found by a fixed number of sweeps (Hwangbo,
-// Lee, Hutter 2018).
+// Contacts of points with the plane: compliant contacts, which are part of the step's one
+// factorization, and solved contacts, whose impulses a fixed number of sweeps finds (Hwangbo, Lee,
+// Hutter 2018).
 #pragma once
 
 #include <cstddef>
@@ -46,7 +46,7 @@ struct PointRecord {
   Real cross_x, cross_y;         // tangential velocity of a normal impulse
 };
 
-/// The compliant law. Normal force k·depth − (dt·k + d)·vz, nothing that pulls; friction
+/// The compliant law. Normal force k·depth − (dt·k + d)·vz, never pulling; friction
 /// −μ·fz'/max(|vt|, vs)·vt with the normal force fz' of the last step. Both act at the velocity of
 /// the end of the step: v' = v + dt·a.
 template <class Real, std::size_t n>
@@ -161,8 +161,8 @@ inline constexpr Lane kContactSpeed = Lane(1);
 template <class Lane>
 inline constexpr Lane kBounceSpeed = Lane(0.1);
 
-/// After `row`, `weighted` and `free`: what the sweeps need. The target is speculative: a point
-/// above the plane may come as far as the plane, so nothing is switched on and off.
+/// Computes the data for the sweeps, after `row`, `weighted` and `free`. The target is speculative:
+/// a point above the plane may move up to the plane, so contacts are not switched on and off.
 template <class Real, std::size_t n, bool kFloating>
 [[gnu::always_inline]] inline void finish_rows(const ContactSettings<LaneOf<Real>>& settings,
                                                PointRecord<Real, n>& point) {
@@ -225,7 +225,7 @@ template <class Real, std::size_t n, bool kFloating>
 }
 
 /// One sweep over one point: the normal impulse that makes its velocity the target's or larger,
-/// then the tangential one that makes it stand, scaled into the cone of friction.
+/// then the tangential one that stops it, scaled into the friction cone.
 template <class Real, std::size_t n, bool kFloating>
 [[gnu::always_inline]] inline void sweep(const PointRecord<Real, n>& point, const Real& friction,
                                          Vec<Real>& impulse, Real* links, Real (&base)[6]) {

@@ -1,5 +1,5 @@
-// The ground where it is not a level plane: tilted planes and height fields. Contacts then have
-// axes of their own: two along the ground and its normal.
+// Ground that is not a level plane: tilted planes and height fields. Each contact then has its own
+// axes: two along the ground, and its normal.
 #pragma once
 
 #include <cstddef>
@@ -117,7 +117,7 @@ class Ground {
     const Real scale = one / eagerx::sqrt(one + along_x * along_x + along_y * along_y);
     return {{at.x, at.y, height}, {-(along_x * scale), -(along_y * scale), scale}};
   }
-  /// In cells from the corner on; what is not finite is 0.
+  /// In cells from the corner; non-finite values become 0.
   [[gnu::always_inline]] static Real within(const Real& x, const Real& per, std::size_t points) {
     const Real zero(Lane(0)), most(static_cast<Lane>(points - 1));
     const Real cells = x * per;

@@ -1,5 +1,5 @@
-// What a step knows between its parts, and impulses on joints: of joints that follow others, and of
-// those that are faster than they may be.
+// Data that the parts of a step share, and impulses on joints that follow others or exceed their
+// speed limits.
 #pragma once
 
 #include <array>
@@ -45,8 +45,8 @@ class Impulses {
   template <std::size_t g>
   using LimbOf = Limb<Model, g, kFloating>;
   static constexpr bool kMimicking = count_mimics<Model>() > 0;
-  /// The torque that limits a joint's speed looks at the joint alone. What other links drive beyond
-  /// that is stopped by an impulse at this speed.
+  /// The torque that limits a joint's speed considers the joint alone. If other links drive it
+  /// faster, an impulse stops it at this speed.
   static constexpr double kCut = 1.25;  // of the limit
   static constexpr auto kFastest = [] {
     std::array<Lane, at_least_one(State::kLinks)> fastest{};
@@ -97,7 +97,7 @@ class Impulses {
       });
     }
   }
-  /// An impulse on a joint, and what it does to all others: a column of the inverse mass matrix.
+  /// An impulse on a joint, and its effect on all others: a column of the inverse mass matrix.
   template <std::size_t g, class Record, class Truth>
   [[gnu::noinline]] void push_joint(std::size_t k, std::size_t joint, const Record& record,
                                     const Truth& beyond) {
@@ -170,7 +170,7 @@ class Impulses {
     }
     mimics_.decompose();
   }
-  /// After what contacts have pushed.
+  /// Called after the contacts' impulses.
   [[gnu::noinline]] void solve_mimics() {
     Real velocity[MimicRows<Model>::kSize];
     for (std::size_t m = 0; m < kMimics<Model>.size(); ++m) {

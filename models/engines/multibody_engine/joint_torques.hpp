@@ -59,7 +59,7 @@ template <class Real>
 /// How many times firmer than the joint's inertia in a step a motor and a stop are.
 template <class Lane>
 inline constexpr Lane kFirmness = Lane(1000);
-/// The part of what a joint is beyond its stop that a step undoes.
+/// The fraction of a joint's penetration of its stop that a step corrects.
 template <class Lane>
 inline constexpr Lane kStopCorrection = Lane(0.2);
 /// And how fast it comes back at most [rad/s, m/s]: a reset may have put it far beyond.
@@ -111,9 +111,9 @@ template <class Real>
   return {stiffness * (rest - q) - slope * v, slope};
 }
 
-/// A stop at `end` in the direction `side`, +1 or −1. It acts where the joint would be beyond it at
-/// the end of the step, and lets it come as far as the stop. What is beyond comes back by
-/// `kStopCorrection` a step.
+/// A stop at `end` in the direction `side`, +1 or −1. It acts if the joint would be beyond the stop
+/// at the end of the step, and lets it move up to the stop. A penetration shrinks by
+/// `kStopCorrection` per step.
 template <class Real>
 [[gnu::always_inline]] inline JointTorque<Real> stop_torque(const Real& end, LaneOf<Real> side,
                                                             const Real& q, const Real& v,

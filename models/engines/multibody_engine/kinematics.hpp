@@ -1,4 +1,4 @@
-// Where a body is and how it moves, for sensors and drawings.
+// Pose and motion of a body, for sensors and drawings.
 #pragma once
 
 #include <array>

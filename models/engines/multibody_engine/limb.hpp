@@ -152,7 +152,7 @@ class Limb : public LimbLinks<Model, g> {
     }
   }
 
-  /// The rows of a solved point of link j, but for what the base's factors do: L⁻ᵀJᵀ.
+  /// The rows of a solved point of link j, without the base's factors: L⁻ᵀJᵀ.
   template <std::size_t j, class Axes>
   [[gnu::always_inline]] void set_rows(PointRecord<Real, n>& point, const Axes& axes, Lane dt,
                                        const Record& record) const {
@@ -189,7 +189,7 @@ class Limb : public LimbLinks<Model, g> {
     });
   }
 
-  /// L⁻ᵀ·row of any row over the limb's links, but for what the base's factors do.
+  /// L⁻ᵀ·row of any row over the limb's links, without the base's factors.
   [[gnu::always_inline]] static void reduce(const Record& record, Real* row, Real (&row_base)[6]) {
     unrolled<n>([&](auto back) __attribute__((always_inline)) {
       constexpr std::size_t i = n - 1 - back;
@@ -204,7 +204,7 @@ class Limb : public LimbLinks<Model, g> {
     });
   }
 
-  /// L⁻¹ of what D⁻¹ has been applied to, from the base to the tips.
+  /// L⁻¹, after D⁻¹ has been applied, from the base to the tips.
   [[gnu::always_inline]] static void substitute(const Record& record, const Real (&base)[6],
                                                 Real (&along)[n]) {
     unrolled<n>([&](auto j) __attribute__((always_inline)) {
@@ -223,7 +223,7 @@ class Limb : public LimbLinks<Model, g> {
   template <std::size_t j>
   static constexpr bool kSlides = Links::template kSlides<j>;
 
-  /// Row j of the mass matrix: momentum of what hangs on joint j at unit speed, along each joint
+  /// Row j of the mass matrix: momentum of the subtree of joint j at unit speed, along each joint
   /// that carries it and along the base.
   template <std::size_t j>
   [[gnu::always_inline]] void set_masses() {
@@ -254,7 +254,7 @@ class Limb : public LimbLinks<Model, g> {
     }
   }
 
-  /// Torques on joint j, and what the motion takes.
+  /// Torques on joint j, and the inertial torques of the motion.
   template <std::size_t j, class State>
   [[gnu::always_inline]] void add_torques(std::size_t k, const State& state, Lane dt,
                                           Record& record) {

@@ -1,4 +1,4 @@
-// The links of a limb: where they are, how they move, and how points of them do.
+// The links of a limb: their poses, their motion, and the motion of points on them.
 //
 // Newton-Euler's recursion (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 5), in the
 // world's axes. Everything of a link is about its own joint, so that numbers stay small where float

@@ -61,7 +61,7 @@ inline constexpr auto kMimics = [] {
   return result;
 }();
 
-/// Sets what followers do by what their leaders do.
+/// Sets the motion of followers from that of their leaders.
 template <class Model, class Motion>
 [[gnu::always_inline]] inline void follow_leaders(Motion& motion) {
   using Real = typename Model::Real;
@@ -74,8 +74,8 @@ template <class Model, class Motion>
   }
 }
 
-/// The equations of a step. Rows are Jᵀ after the elimination of the mass matrix, as those of
-/// contacts: what impulses of links and base add to the velocity is the product with `weighted`.
+/// The equations of a step. Rows are Jᵀ after the elimination of the mass matrix, like those of
+/// contacts: the velocity that impulses of links and base add is the product with `weighted`.
 template <class Model>
 struct MimicRows {
   using Real = typename Model::Real;

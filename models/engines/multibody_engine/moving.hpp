@@ -1,4 +1,4 @@
-// A link while its equations are made: how it moves, and the mass of all that hangs on it.
+// A link during assembly of the equations: its motion, and the mass of its subtree.
 #pragma once
 
 #include <eagerx/math.hpp>
@@ -49,7 +49,7 @@ template <class Real>
   link.torque = link.inertia * al + cross(w, link.inertia * w) + cross(h, link.acceleration);
 }
 
-/// The parallel axes' theorem: what hangs on `link` hangs on `to`, too.
+/// Adds the subtree of `link` to `to`, by the parallel axis theorem.
 template <class Real>
 [[gnu::always_inline]] inline void hand_on(const Moving<Real>& link, Moving<Real>& to) {
   const Vec<Real>& r = link.arm;

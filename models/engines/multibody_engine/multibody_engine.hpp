@@ -1,4 +1,4 @@
-// The engine of articulated robots that are known when the program is compiled.
+// The engine of articulated robots that are known at compile time.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ class MultibodyEngine {
     (simulators.start(kGravity), ...);
   }
 
-  /// Gravity is of the whole world: what an object's state sets is set for all.
+  /// Gravity belongs to the whole world: the state of one object sets it for all.
   template <class... Simulators>
   void reset(const typename Io::States& /*states*/, Simulators&... simulators) {
     const auto share = [&](const auto& gravity) { (simulators.share_gravity(gravity), ...); };

@@ -147,7 +147,7 @@ class MultibodySimulator {
     if (!(mass > 0.0) || !eagerx::isfinite(mass)) return;
     state_.mass_scale[body] = number(mass / Model::kBodies[body].mass);
   }
-  /// Factors on what actuators do; those that are negative or not finite change nothing.
+  /// Factors on the torques of actuators; negative or non-finite ones are ignored.
   void set_strength(std::size_t joint, double factor) {
     if (is_factor(factor)) state_.drive[link_of(joint)].strength = number(factor);
   }
@@ -299,7 +299,7 @@ class MultibodySimulator {
   }
   /// Ticks after which the state was not finite, since the start of the program; saturates.
   CountOf<Real> faults() const { return faults_; }
-  /// f(name, count) for the summary.
+  /// Calls f(name, count) for each count in the summary.
   template <class F>
   void for_each_count(F&& f) const {
     f("states not finite", std::uint64_t{faults_});

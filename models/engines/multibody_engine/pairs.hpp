@@ -58,7 +58,7 @@ constexpr bool has_round_pairs() {
   return true;
 }
 
-/// How far the nearest points of two lines are from their middles, in halves of the lines: Ericson,
+/// Distance of the nearest points of two lines from the lines' midpoints, in half lengths: Ericson,
 /// Real-Time Collision Detection, 2005, section 5.1.9. `a`, `b` are halves, `between` is the way
 /// from the middle of b to that of a.
 template <class Real>

@@ -167,7 +167,7 @@ class RobotDynamics {
     set_forces(link);
   }
 
-  /// Momentum of what hangs on joint l at unit speed, along each joint that carries it.
+  /// Momentum of the subtree of joint l at unit speed, along each joint that carries it.
   void add_masses(std::size_t l, Matrix& to) const {
     const Moving<Real>& link = link_[l];
     const bool slides = kTree<Model>.links[l].slides;

@@ -1,4 +1,4 @@
-// The joints that a controller of a robot knows, and how the links follow them.
+// The joints in the model of a robot's controller, and the motion of its links.
 #pragma once
 
 #include <array>
@@ -15,7 +15,8 @@ struct Following {
   double factor = 0.0, offset = 0.0;
 };
 
-/// Hinges and sliders that mimic none, in the order of the model: what an empty list means.
+/// Hinges and sliders that mimic no other joint, in the order of the model: the default for an
+/// empty list.
 template <class Model>
 constexpr bool leads(const RigidJoint& joint) {
   return moves(joint.kind) && *joint.mimics == '\0';
@@ -27,8 +28,8 @@ constexpr std::size_t count_leaders() {
   return count;
 }
 
-/// `Names::joints` are names of a model's joints with blanks between them; none: all that move.
-/// Joints that mimic one of them follow it; all others stand at 0.
+/// `Names::joints` lists names of a model's joints, separated by blanks; empty: all that move.
+/// Joints that mimic one of them follow it; all others stay at 0.
 template <class Model, class Names>
 struct RobotJoints {
   static constexpr std::size_t kLinks = kTree<Model>.links.size();

@@ -1,4 +1,4 @@
-// Where a point of a robot is, how it turns with each joint, and how to get it somewhere else.
+// Position and Jacobian of a point of a robot, and inverse kinematics.
 #pragma once
 
 #include <array>

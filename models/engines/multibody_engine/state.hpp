@@ -55,7 +55,7 @@ struct State : Motion<Model> {
   CountOf<Real> pushed;
 
   [[gnu::always_inline]] bool is_pushed() const { return any(pushed != CountOf<Real>(0U)); }
-  /// Selected lane by lane: what other environments do must not even change the sign of a zero.
+  /// Selected lane by lane: other environments must not change even the sign of a zero.
   [[gnu::always_inline]] void push_body(std::size_t body, Moving<Real>& link) const {
     const auto here = pushed != CountOf<Real>(0U);
     const Vector3& place = kTree<Model>.place_of_body[body];

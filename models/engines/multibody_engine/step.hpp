@@ -98,8 +98,8 @@ class Step : public PairContacts<Model> {
     }
   }
 
-  /// A loop over limbs, not one after the other: code that is as long as the robot is slow
-  /// when vectorized, and large on boards.
+  /// A loop over limbs, not unrolled: code in proportion to the robot is slow when vectorized, and
+  /// large on boards.
   template <std::size_t g>
   [[gnu::noinline]] void make_equations() {
     auto& records = this->template records<g>();

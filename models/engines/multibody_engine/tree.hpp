@@ -1,5 +1,5 @@
 // The tree of links that MultibodyEngine computes with, made from an object's description
-// (scene.hpp of OpenDynamicsEngine) when the program is compiled.
+// (scene.hpp of OpenDynamicsEngine) at compile time.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Integration with steps that are chosen by an estimate of their error.
+// Integration with steps of adaptive size, chosen by an error estimate.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Adaptive steps over SIMD vectors: each lane takes its own, as if it were integrated alone.
+// Adaptive steps over SIMD vectors: each lane takes its own steps, as if it were integrated alone.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +42,7 @@ struct LaneSteps {
   }
 };
 
-/// How far the lanes are: in the same number of tries.
+/// Progress of the lanes after the same number of tries.
 template <class Real>
 struct LaneProgress {
   TruthOf<Real> continues = true;
@@ -103,8 +103,8 @@ template <class Method, class Real, std::size_t N>
   progress.continues = false;
 }
 
-/// Some lanes of a SIMD vector as a narrower one, and back. Both consist of the same
-/// number of SIMD vectors and nothing else.
+/// Copies some lanes of a SIMD vector to a narrower one, and back. Both consist of the same number
+/// of SIMD vectors only.
 template <std::size_t N, std::size_t Width, class Wide, class Narrow>
 inline void gather(const Wide& wide, const std::size_t (&lanes)[Width], Narrow& narrow) {
   static_assert(sizeof(Wide) * Width == sizeof(Narrow) * N);
@@ -129,9 +129,8 @@ inline void scatter(const Narrow& narrow, const std::size_t (&lanes)[Width], Wid
   }
 }
 
-/// The lanes that continue, one register of them after the other. f(lanes, narrow) takes the steps
-/// of `narrow`, which has those of the SIMD vector that are in `lanes`, and gives which of them
-/// failed.
+/// The lanes that continue, one register of them after the other. f(lanes, narrow) makes the steps
+/// of `narrow`, which has the lanes `lanes` of the SIMD vector, and returns those that failed.
 template <class Narrow, class Real, std::size_t N, class F>
 inline void finish_few(LaneSteps<Real, N>& at, LaneProgress<Real>& progress, const F& f) {
   constexpr auto kWide = static_cast<std::size_t>(lanes<Real>);

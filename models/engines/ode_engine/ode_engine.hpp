@@ -74,8 +74,8 @@ class OdeEngine {
     }
   }
 
-  /// Flattened, because g++ at -O2 calls the equation four times a step where it is not: a third of
-  /// the time (tests/bench/instructions).
+  /// Flattened, because otherwise g++ at -O2 calls the equation four times per step, a third of the
+  /// time (tests/bench/instructions).
   template <class Derivative, class Simulator>
   [[gnu::flatten]] static void advance_rk4(const Derivative& derivative, Simulator& simulator) {
     using Real = typename Simulator::Real;
@@ -110,8 +110,9 @@ class OdeEngine {
     simulator.add_fault_if(progress.failed);
   }
 
-  /// The whole SIMD vector as long as more than half of the lanes continue, then these in one
-  /// of half as many registers, and so on: some lanes take many times the steps of the others.
+  /// Integrates the whole SIMD vector while more than half of the lanes continue, then these in a
+  /// vector of half as many registers, and so on: some lanes take many times the steps of the
+  /// others.
   template <class Model, class Real = typename Model::Real>
   static void finish(const OdeParameterSet<Model>& parameters, const OdeInputs<Model>& input,
                      LaneSteps<Real, Model::kStates>& at, LaneProgress<Real>& progress) {

@@ -1,4 +1,4 @@
-// How the derivative of a model depends on its state.
+// The Jacobian of a model: the derivative of its equations by the state.
 #pragma once
 
 #include <array>
@@ -118,7 +118,7 @@ class DifferenceJacobian {
   }
 
  private:
-  /// The cube root of the resolution: there the errors of rounding and of the method are alike.
+  /// The cube root of the resolution, at which rounding and truncation errors are of equal size.
   static constexpr auto kStep =
       std::is_same_v<LaneOf<Real>, double> ? LaneOf<Real>(6e-6) : LaneOf<Real>(5e-3);
 

@@ -56,7 +56,7 @@ struct ModelOver<Model<Io>, OtherReal> {
   using type = Model<OtherIo>;
 };
 
-/// f(x) of a model with its parameters and input held constant: what the integrators see.
+/// f(x) of a model with its parameters and input held constant, for the integrators.
 template <OdeModel Model>
 class OdeDerivative {
  public:

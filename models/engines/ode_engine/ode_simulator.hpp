@@ -28,10 +28,10 @@ class OdeSimulator {
     step_s = {};
   }
 
-  /// Engine ticks that could not be integrated as asked, since the start of the program; saturates.
-  /// See OdeEngine for what happens to the state.
+  /// Number of engine ticks that could not be integrated as configured, since the start of the
+  /// program; saturates. See OdeEngine for what happens to the state.
   CountOf<Real> faults() const { return faults_; }
-  /// f(name, count) for the summary.
+  /// Calls f(name, count) for each count in the summary.
   template <class F>
   void for_each_count(F&& f) const {
     f("integration faults", std::uint64_t{faults_});

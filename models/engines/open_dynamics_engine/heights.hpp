@@ -1,6 +1,6 @@
-// Ground with heights: where shapes touch it. Contacts are those of MultibodyEngine: points of a
-// shape and the plane tangent to the ground below each. The library's own height field misses a
-// small ball on a ridge, and allocates memory during steps.
+// Contacts of shapes with a height field. Contacts are those of MultibodyEngine: points of a shape
+// and the plane tangent to the ground below each. The library's own height field misses a small
+// ball on a ridge, and allocates memory during steps.
 #pragma once
 
 #include <ode/ode.h>
@@ -49,7 +49,7 @@ struct RigidHeights {
   }
 
  private:
-  /// Around the grid as at its edge; what is no number is at the corner.
+  /// Points outside the grid are moved to its edge, and NaN to the corner.
   [[nodiscard]] double in_cells(const Vector3& point, std::size_t axis) const {
     const double cells = (point[axis] - corner[axis]) / spacing;
     const auto most = static_cast<double>(points[axis] - 1);

@@ -1,5 +1,5 @@
-// Where the library gives up: it calls abort() where a number is none, so that a program would end
-// without a word of what went wrong.
+// Errors of the library: it calls abort() for numbers that are not finite, which would end a
+// program without an explanation.
 #pragma once
 
 #include <ode/ode.h>

@@ -135,8 +135,8 @@ class OpenDynamicsSimulator {
   }
 
   // ---- for configure() of the model
-  /// Mass [kg], inertia about the axes through the centre of mass and its products [kg·m²]. What is
-  /// not positive becomes the least that the library can compute with.
+  /// Mass [kg], inertia about the axes through the centre of mass and its products [kg·m²]. Values
+  /// that are not positive become the smallest that the library can compute with.
   void set_mass(std::size_t body, double mass, const Vector3& inertia,
                 const Vector3& products = {}) {
     const auto positive = [](double value) { return value > kLeast ? value : kLeast; };
@@ -152,7 +152,7 @@ class OpenDynamicsSimulator {
     const double scale = mass / nominal.mass;
     set_mass(body, mass, scale * nominal.inertia, scale * nominal.products);
   }
-  /// Factors on what actuators do; those that are negative or not finite change nothing.
+  /// Factors on the torques of actuators; negative or non-finite ones are ignored.
   void set_strength(std::size_t joint, double factor) {
     if (is_factor(factor)) factors_[joint].strength = factor;
   }

@@ -32,7 +32,7 @@ class ResetTargets {
 
   bool has_joint(std::size_t joint) const { return has_joint_[joint]; }
   const JointCoordinates& joint(std::size_t joint) const { return coordinates_[joint]; }
-  /// `now` with what was set.
+  /// `now` with the requested values.
   RigidState state(std::size_t body, RigidState now) const {
     if (has_pose_[body]) {
       now.position = state_[body].position;

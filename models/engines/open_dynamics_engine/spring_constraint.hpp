@@ -4,7 +4,8 @@
 // makes it the torque at the end of the step, where the joint is at q + dt·v':
 //   torque = stiffness·(rest − q − dt·v') − damping·v' = slope·(target − v').
 // With ERP = dt·stiffness/slope and CFM = 1/slope, this is the spring and damper of the library's
-// manual. The motor is one of its own, so that the joint's motor is left to actuators and friction.
+// manual. The spring has a separate motor, so that the joint's motor stays free for actuators and
+// friction.
 #pragma once
 
 #include <ode/ode.h>
@@ -20,7 +21,7 @@ class SpringConstraint {
   static constexpr bool is_on(const RigidJoint& of) {
     return of.stiffness > 0.0 && degrees_of_freedom(of.kind) == 1;
   }
-  /// What is left of the joint's own torques.
+  /// The joint without the torques that the spring's motor applies.
   static constexpr RigidJoint without(RigidJoint of) {
     if (is_on(of)) of.damping = 0.0;
     return of;

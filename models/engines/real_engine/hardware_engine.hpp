@@ -90,8 +90,8 @@ class HardwareEngine {
     ++silences_;
   }
 
-  /// The end of a run: applies safe actions and closes the link. If the link is lost, it is tried
-  /// again for as long as an adapter takes to appear.
+  /// The end of a run: applies safe actions and closes the link. If the link is lost, retries for
+  /// the time that an adapter needs to appear.
   template <class... Simulators>
   void stop(Simulators&... simulators) {
     constexpr std::int64_t kPatienceNs = kNsPerSecond;
@@ -116,7 +116,7 @@ class HardwareEngine {
   const Lateness& lateness() const { return lateness_; }
   const Link& link() const { return link_; }
 
-  /// f(name, count) for each.
+  /// Calls f(name, count) for each count.
   template <class F>
   void for_each_count(F&& f) const {
     constexpr std::int64_t kNsPerUs = 1'000;

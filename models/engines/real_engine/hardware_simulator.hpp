@@ -1,5 +1,4 @@
-// RealEngine's data of each object: last values, next action, what is allowed, what went
-// wrong.
+// RealEngine's data of each object: last values, next action, limits, errors.
 #pragma once
 
 #include <array>
@@ -53,7 +52,7 @@ class HardwareSimulator {
 
   // For engine nodes and states.
 
-  /// Element `i` of what was measured last.
+  /// Element `i` of the last measurement.
   Real value(std::size_t i) const { return values_[i]; }
   /// Values outside are not taken.
   void limit_sensor(std::size_t i, Real low, Real high) {
@@ -68,8 +67,8 @@ class HardwareSimulator {
     safe_[i] = safe;
     action_[i] = safe;
   }
-  /// Takes the next action of actuator `i`, moved into its limits, and returns what will be
-  /// applied. An action that is NaN, infinite or (unless `clips`) out of its limits is counted, and
+  /// Takes the next action of actuator `i`, moves it into its limits, and returns the value to
+  /// apply. An action that is NaN, infinite or (unless `clips`) out of its limits is counted, and
   /// all actuators get their safe action.
   Real act(std::size_t i, Real wanted, Real low, Real high, bool clips = true) {
     if (!eagerx::isfinite(wanted)) {
@@ -84,7 +83,7 @@ class HardwareSimulator {
     action_[i] = wanted;
     return is_safe_ ? safe_[i] : wanted;
   }
-  /// Applies the last actions and measures at once, in one round trip. For resets.
+  /// Applies the last actions and measures, in one round trip. For resets.
   BusError exchange() {
     queue_action(false);
     queue_request();

@@ -1,4 +1,4 @@
-// How late something was and how long something took, counted by classes.
+// Histograms of lateness and durations.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ class TimeHistogram {
   std::uint64_t count(std::size_t i) const { return counts_[i]; }
   std::int64_t worst_ns() const { return worst_ns_; }
 
-  /// f(name, count) for each class and for the worst.
+  /// Calls f(name, count) for each class and for the worst.
   template <class F>
   void for_each_count(F&& f) const {
     constexpr std::int64_t kNsPerUs = 1'000;

@@ -14,10 +14,10 @@ struct MpsseChip {
   std::uint32_t max_hz;  // limit of the wiring for all devices; 0: 30 MHz, the chip's own
 };
 
-/// Collects transfers; `bytes()` is what to send, and `deliver()` hands the answer's bytes out to
-/// the buffers. use() comes first. All of it is one write and one read over USB. Pins of the low
-/// byte: 0 clock, 1 data out (I2C: SDA, tied to 2), 2 data in, 3 to 7 select lines 0 to 4, which
-/// are high at rest. Pins of the high byte: GPIO 0 to 7, inputs until they are written.
+/// Collects transfers; `bytes()` are the bytes to send, and `deliver()` copies the answer to the
+/// buffers. Call use() first. A batch is one write and one read over USB. Pins of the low byte: 0
+/// clock, 1 data out (I2C: SDA, tied to 2), 2 data in, 3 to 7 select lines 0 to 4, which are high
+/// at rest. Pins of the high byte: GPIO 0 to 7, inputs until they are written.
 ///
 /// SPI modes 0 and 2 are the chip's own (AN_114). Of modes 1 and 3 the first edge, at which a
 /// device puts out its first bit, is made by hand after the select line has fallen; what follows is
@@ -35,7 +35,7 @@ class MpsseBatch {
     chip_ = chip;
     forget();
   }
-  /// The chip's state is not known any more: the next transfer sets everything again.
+  /// Marks the chip's state as unknown: the next transfer sets everything again.
   void forget() {
     clear();
     divisor_ = kUnknown;
@@ -52,7 +52,7 @@ class MpsseBatch {
   const std::uint8_t* bytes() const { return bytes_; }
   std::size_t size() const { return size_; }
   std::size_t reply_size() const { return reply_; }
-  /// full or unsupported if a transfer could not be taken; then nothing of the batch may be sent.
+  /// full or unsupported if a transfer could not be added; the batch must then not be sent.
   BusError error() const { return error_; }
 
   void spi(SpiDevice device, const std::uint8_t* out, std::uint8_t* in, std::size_t n) {
@@ -116,7 +116,7 @@ class MpsseBatch {
     expect({nullptr, nullptr, &level, 1, static_cast<std::uint8_t>(1U << pin)});
   }
 
-  /// Ends the stream: the chip answers at once instead of when its latency timer says so.
+  /// Ends the stream: the chip answers immediately instead of waiting for its latency timer.
   void finish() {
     if (reply_ > 0) add(0x87);
   }

@@ -8,7 +8,7 @@
 extern "C" {
 /// Whether a signal wants the program to end or to stop; the target's, if it has one.
 [[gnu::weak]] bool eagerx_is_interrupted();
-/// Notified that the program stands still on purpose until then; the target's, if it has one.
+/// Called before a deliberate sleep until this time; defined by the target, if at all.
 [[gnu::weak]] void eagerx_sleeps_until(std::int64_t ns);
 }
 

@@ -1,4 +1,4 @@
-// Files of Linux: what the kernel does, and a handle that is all zero while it is closed.
+// Files of Linux: system calls, and a handle that is all zero while it is closed.
 #pragma once
 
 #include <fcntl.h>
@@ -36,7 +36,7 @@ class File {
     close<System>();
     return adopt(System::open(path, flags));
   }
-  /// Takes over what the kernel gave; false for a negative one.
+  /// Takes ownership of a descriptor; false if it is negative.
   bool adopt(int file) {
     plus_one_ = file < 0 ? 0 : file + 1;
     return is_open();

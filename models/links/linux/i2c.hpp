@@ -20,7 +20,7 @@ class LinuxI2c {
   void close() { file_.template close<System>(); }
 
   /// Writes n bytes, then reads m after a repeated start. Errors: nak, timeout, link_lost,
-  /// unsupported (more than 8192 bytes, which is what the kernel takes).
+  /// unsupported (more than 8192 bytes, the kernel's limit).
   BusError transfer(I2cDevice device, const std::uint8_t* out, std::size_t n, std::uint8_t* in,
                     std::size_t m) {
     constexpr std::size_t kMost = 8192;

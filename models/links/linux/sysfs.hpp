@@ -89,7 +89,7 @@ class LinuxPwm {
     constexpr std::uint32_t kNsPerSecond = 1'000'000'000;
     if (hz == 0 || hz > kNsPerSecond) return false;
     period_ns_ = (kNsPerSecond + hz / 2) / hz;
-    // An error here means that it is already exported; then its files are there.
+    // An error here means that it is already exported, so its files exist.
     static_cast<void>(write_number(chip, "/export", channel));
     const Path folder(chip, Numbered("/pwm", channel, "").text());
     if (!duty_.open(Path(folder.text(), "/duty_cycle").text(), O_RDWR)) return false;

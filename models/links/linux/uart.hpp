@@ -18,12 +18,12 @@ namespace eagerx::links {
 /// zero until open().
 class LinuxUart {
  public:
-  /// The line is ours alone as long as it is open. False if there is no such line, another program
-  /// uses it or it does not have this rate.
+  /// Opens the line exclusively. False if it does not exist, if another program uses it, or if it
+  /// does not support this rate.
   bool open(const char* path, std::uint32_t baud, int timeout_ms) {
     timeout_ms_ = timeout_ms;
     if (!file_.open(path, O_RDWR | O_NOCTTY | O_NONBLOCK)) return false;
-    // The lock also keeps root out, who is not bound by TIOCEXCL.
+    // The lock also excludes root, to whom TIOCEXCL does not apply.
     if (flock(file_.handle(), LOCK_EX | LOCK_NB) != 0) return file_.close(), false;
     Kernel::ioctl(file_.handle(), TIOCEXCL, nullptr);
     termios2 line{};
@@ -55,7 +55,7 @@ class LinuxUart {
     return carry_out(n, POLLIN,
                      [&](std::size_t done) { return ::read(file_.handle(), in + done, n - done); });
   }
-  /// Throws away what has come in.
+  /// Discards received bytes.
   void flush() {
     if (file_.is_open()) ::ioctl(file_.handle(), TCFLSH, TCIFLUSH);
   }

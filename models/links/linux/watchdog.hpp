@@ -17,7 +17,7 @@ class LinuxWatchdog {
  public:
   bool open(const char* path) { return file_.template open<System>(path, O_WRONLY); }
   /// The device has a time-out as soon as it is open; this sets it, rounded up to seconds. False if
-  /// it cannot wait so long.
+  /// `ms` is too long for it.
   bool start(std::uint32_t ms) {
     constexpr std::uint32_t kMsPerSecond = 1000;
     int seconds = static_cast<int>((ms + kMsPerSecond - 1) / kMsPerSecond);

@@ -35,7 +35,7 @@ class ActionLimits {
     limited_ += one_if<Real>(changed && !in.action.empty());
   }
 
-  /// f(name, count) for each; they continue over episodes.
+  /// Calls f(name, count) for each count; counts continue over episodes.
   template <class F>
   void for_each_count(F&& f) const {
     f("limited", limited_);

@@ -10,8 +10,8 @@
 namespace eagerx::models {
 
 /// y[n] = clamp(y[n − 1], signal − width/2, signal + width/2), element by element: y moves only
-/// when the signal has gone through the play. A signal that is not finite or is missing leaves y
-/// as it is. A reset may set the width.
+/// when the signal has passed through the play. A signal that is not finite or missing leaves y
+/// unchanged. A reset may set the width.
 template <class Io>
 class Backlash {
  public:

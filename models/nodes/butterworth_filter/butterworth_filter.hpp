@@ -25,8 +25,8 @@ class ButterworthSections {
     Lane gain;  // of a constant
   };
 
-  /// Whether a corner is so low that the coefficients of a section all but cancel: a1 is then near
-  /// −2 and a2 near 1, and what counts is their difference.
+  /// Whether a corner is so low that the coefficients of a section nearly cancel: a1 is then near
+  /// −2 and a2 near 1, and only their difference matters.
   static constexpr bool kIsLow = Config::cutoff_hz[0] < Io::Rate::hz / 50.0;
 
   /// [number of sections]
@@ -84,10 +84,10 @@ class ButterworthSections {
 /// Filters every element of `signal` (shape [] or [n]) at the rate of the node, one sample a tick,
 /// in second-order sections (direct form II transposed):
 ///   y = b0·x + z1,  z1 ← b1·x − a1·y + z2,  z2 ← b2·x − a2·y
-/// and where a corner is below a fiftieth of the rate as integrators (state_section.hpp).
-/// Starts from rest: the past of the signal is zero at a reset, or with `initial: measured` the
-/// first sample of each element. As long as no signal has come (skipped connections), the sample is
-/// zero. A sample that is not finite passes, and leaves the memory as it is.
+/// and where a corner is below a fiftieth of the rate as integrators (state_section.hpp). Starts
+/// from rest: the past of the signal is zero at a reset, or with `initial: measured` the first
+/// sample of each element. Until a signal arrives (skipped connections), the sample is zero. A
+/// sample that is not finite passes, and leaves the memory unchanged.
 template <class Io>
 class ButterworthFilter {
  public:
@@ -105,7 +105,7 @@ class ButterworthFilter {
                          [&] { settle(sample, memory_[i]); });
       change_where<Real>(eagerx::isfinite(sample), memory_[i],
                          [&] { filtered = filter(sample, memory_[i]); });
-      // What overflowed is forgotten.
+      // Resets the state of an element that overflowed.
       const TruthOf<Real> lost = eagerx::isfinite(sample) && !eagerx::isfinite(filtered);
       change_where<Real>(lost, memory_[i], [&] { memory_[i] = {}; });
       start_.forget(i, lost);

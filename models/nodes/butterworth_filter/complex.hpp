@@ -1,4 +1,4 @@
-// The complex arithmetic that filter design needs, usable by the compiler.
+// Complex arithmetic for filter design, usable at compile time.
 #pragma once
 
 #include <eagerx/math.hpp>

@@ -1,4 +1,4 @@
-// Where a filter begins.
+// Initial state of a filter.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// From zeros and poles to second-order sections.
+// Converts zeros and poles into second-order sections.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// A second-order section as two integrators, which keeps its digits at low frequencies.
+// A second-order section as two integrators, which keeps its precision at low frequencies.
 #pragma once
 
 #include <eagerx/math.hpp>

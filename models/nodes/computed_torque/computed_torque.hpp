@@ -1,4 +1,4 @@
-// A controller of a robot's joints that knows the robot.
+// A model-based controller of a robot's joints.
 #pragma once
 
 #include <cstddef>

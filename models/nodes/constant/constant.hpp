@@ -8,7 +8,7 @@
 
 namespace eagerx::models {
 
-/// y = value, or what the reset has set.
+/// y = value, or the value set by a reset.
 template <class Io>
 class Constant {
  public:

@@ -1,4 +1,4 @@
-// How often a signal has risen.
+// Counts the rising edges of a signal.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace eagerx::models {
 
-/// y is how often the signal came to `threshold` or above from below, since the reset, element by
-/// element, however many there are; with `modulo` m above 0 it goes from m − 1 to 0. NaN and what
-/// is missing are below.
+/// y counts how often the signal has risen to `threshold` or above since the reset, element by
+/// element; with `modulo` m above 0, it wraps from m − 1 to 0. NaN and missing signals count as
+/// below.
 template <class Io>
 class Counter {
  public:

@@ -1,4 +1,4 @@
-// Nothing within a zone, and what is beyond it outside.
+// Zero within a zone, and the excess outside of it.
 #pragma once
 
 #include <cstddef>

@@ -9,9 +9,9 @@
 namespace eagerx::models {
 
 /// s/(τ·s + 1) by backward differences: y[n] = (τ·y[n − 1] + x[n] − x[n − 1])/(τ + T), element by
-/// element. The first signal of an episode has the derivative 0. A signal that is not finite
-/// or is missing leaves everything as it is, and so does one whose derivative overflows. x[n] − x[n
-/// − 1] is moved by whole turns into [−turn/2, turn/2] if `turn` is above 0.
+/// element. The first signal of an episode has the derivative 0. A signal that is not finite or
+/// missing, or whose derivative overflows, changes nothing. x[n] − x[n − 1] is moved by whole turns
+/// into [−turn/2, turn/2] if `turn` is above 0.
 template <class Io>
 class Derivative {
  public:
@@ -42,7 +42,7 @@ class Derivative {
   static constexpr double kTimeConstant = Io::Config::time_constant;
   static_assert(kTimeConstant >= 0.0, "Derivative: `time_constant` is not negative");
   static constexpr double kSum = kTimeConstant + Io::Rate::period_s;
-  /// So slow that what is added to y may be below its last digit.
+  /// So slow that increments of y may be below its last digit.
   static constexpr bool kIsSlow = kTimeConstant >= Io::Rate::period_s;
   static constexpr auto kForget = constant<Real>(Io::Rate::period_s / kSum);
   static constexpr auto kKeep = constant<Real>(kTimeConstant / kSum);

@@ -11,8 +11,8 @@ namespace eagerx::models {
 /// Y(z)/X(z) = (b[0] + b[1]·z⁻¹ + …)/(a[0] + a[1]·z⁻¹ + …), element by element, in transposed
 /// direct form II as scipy.signal.lfilter; in δ = z − 1 where the coefficients of z cancel, that
 /// is, where a is nearly 0 at z = 1, as of low corners and integrators (Goodall: Perspectives on
-/// processing for real-time control, 2001). The last finite signal takes the place of one that is
-/// not finite; before the first it is 0. What overflows is forgotten.
+/// processing for real-time control, 2001). The last finite signal replaces one that is not finite;
+/// before the first it is 0. An overflow resets the state.
 template <class Io>
 class DiscreteTransferFunction {
  public:

@@ -14,7 +14,7 @@ namespace eagerx::models {
 
 /// x follows dx/dt = f(x, u, p) for a period, P := F·P·Fᵀ + Q, then for each element of measured,
 /// one after the other, k = P·cᵀ/(c·P·cᵀ + r), x += k·(measured − c·x), P −= k·c·P. Elements that
-/// are not finite or are missing correct nothing. If x or P is not finite, both begin anew.
+/// are not finite or missing correct nothing. If x or P is not finite, both are reset.
 template <class Io>
 class ExtendedKalmanFilter {
  public:

@@ -1,4 +1,4 @@
-// A state that follows a differential equation, and how it depends on where it began.
+// A state that follows a differential equation, and its derivative by the initial state.
 #pragma once
 
 #include <cstddef>

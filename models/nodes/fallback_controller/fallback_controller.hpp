@@ -1,4 +1,4 @@
-// One of two controllers, chosen by whether all is well.
+// Passes on a primary controller's output, or a fallback's while something is wrong.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,9 @@
 
 namespace eagerx::models {
 
-/// Every tick: `chosen` := `primary`, or `fallback` from `bad` wrong ticks in a row on until `good`
-/// right ones in a row; `safe` if the fallback is not finite. What is wrong: see the manifest.
+/// Every tick: `chosen` := `primary`, or `fallback` after `bad` consecutive wrong ticks until
+/// `good` consecutive right ones; `safe` if the fallback is not finite. The manifest defines wrong
+/// ticks.
 template <class Io>
 class FallbackController {
  public:
@@ -40,7 +41,7 @@ class FallbackController {
     }
   }
 
-  /// f(name, count) for each; they continue over episodes.
+  /// Calls f(name, count) for each count; counts continue over episodes.
   template <class F>
   void for_each_count(F&& f) const {
     f("fallback ticks", fallback_ticks_);

@@ -10,8 +10,8 @@
 namespace eagerx::models {
 
 /// 1/(τ·s + 1) for a signal that is constant between ticks: y += (1 − exp(−T/τ))·(signal − y),
-/// element by element; for τ = 0, y is the signal. A signal that is not
-/// finite, is missing or makes y overflow leaves y as it is. A reset may set τ.
+/// element by element; for τ = 0, y is the signal. A signal that is not finite, is missing or makes
+/// y overflow leaves y unchanged. A reset may set τ.
 template <class Io>
 class FirstOrderLag {
  public:

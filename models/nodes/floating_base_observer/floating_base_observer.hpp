@@ -1,4 +1,4 @@
-// How the base of a robot on legs moves, from inertial measurements, joints and contacts.
+// Estimates the motion of a legged robot's base from inertial measurements, joints and contacts.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Where a point of a robot is.
+// Position of a point of a robot.
 #pragma once
 
 #include <eagerx/rate.hpp>

@@ -1,4 +1,4 @@
-// Positions of joints that bring a point of a robot to a goal.
+// Joint positions that bring a point of a robot to a goal.
 #pragma once
 
 #include <array>

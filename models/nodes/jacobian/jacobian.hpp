@@ -1,4 +1,4 @@
-// How a point of a robot moves with its joints.
+// Jacobian of a point of a robot.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A function of one number, from points of it.
+// A function of one number, interpolated between points.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A function of two numbers, from a grid of points.
+// A function of two numbers, interpolated in a grid of points.
 #pragma once
 
 #include <array>

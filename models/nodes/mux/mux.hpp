@@ -1,4 +1,4 @@
-// Signals one after the other.
+// Concatenates signals.
 #pragma once
 
 #include <cstddef>

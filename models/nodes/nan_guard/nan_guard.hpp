@@ -41,7 +41,7 @@ class NanGuard {
     }
   }
 
-  /// f(name, count) for each; they continue over episodes.
+  /// Calls f(name, count) for each count; counts continue over episodes.
   template <class F>
   void for_each_count(F&& f) const {
     f("replaced", replaced_);

@@ -1,4 +1,4 @@
-// A controller of a point of a robot that knows the robot.
+// A model-based controller of a point of a robot.
 #pragma once
 
 #include <array>

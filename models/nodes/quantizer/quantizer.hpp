@@ -1,4 +1,4 @@
-// A signal in steps.
+// Rounds a signal to steps.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// How the reset nodes of EAGERx's pendulums bring an angle about.
+// The routine by which reset nodes of EAGERx's pendulums move to an angle.
 #pragma once
 
 #include <eagerx/math.hpp>

@@ -1,4 +1,4 @@
-// A signal that changes no faster than it may.
+// Limits the rate of change of a signal.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ class SlewLimit {
                   "SlewLimit: `limited` must have as many elements as `signal`");
     TruthOf<Real> limited = false;
     for (std::size_t i = 0; i < kSize; ++i) {
-      // What is missing is like what is not a number: it leaves the value as it is.
+      // A missing message, like NaN, leaves the value unchanged.
       const Real wanted = newest<Real>(in.signal, i, Real(FloatFormat<LaneOf<Real>>::nan));
       const TruthOf<Real> lags = follow(i, wanted);
       limited = limited || (lags && !in.signal.empty());
@@ -41,7 +41,7 @@ class SlewLimit {
     limited_ += one_if<Real>(limited);
   }
 
-  /// f(name, count) for each; they continue over episodes.
+  /// Calls f(name, count) for each count; counts continue over episodes.
   template <class F>
   void for_each_count(F&& f) const {
     f("limited", limited_);

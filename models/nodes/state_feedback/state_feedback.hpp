@@ -1,4 +1,4 @@
-// A linear controller of a state.
+// A linear state-feedback controller.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// One of two signals, as a third one says.
+// One of two signals, selected by a third one.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A signal some time later, between ticks too.
+// Delays a signal, also by fractions of a tick.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The signal of the tick before.
+// Delays a signal by one tick.
 #pragma once
 
 #include <array>

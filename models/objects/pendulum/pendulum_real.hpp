@@ -1,4 +1,4 @@
-// The disc pendulum as it stands on a table: encoder and motor amplifier.
+// The real disc pendulum: encoder and motor amplifier.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A walker with four legs on OpenDynamicsEngine.
+// A four-legged robot on OpenDynamicsEngine.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The value that a whole number stands for.
+// Maps a whole number to a value.
 #pragma once
 
 #include <cstddef>

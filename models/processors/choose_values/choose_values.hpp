@@ -1,4 +1,4 @@
-// The values that whole numbers stand for.
+// Maps whole numbers to values.
 #pragma once
 
 #include <cstddef>

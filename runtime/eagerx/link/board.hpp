@@ -1,5 +1,5 @@
-// The board's end of the link. It never speaks unasked: it answers each request of the host once
-// it needs more messages than it has, and answers a duplicate with its last answer.
+// The board's end of the link. It only answers requests: it answers each request of the host once
+// it needs more messages than it has, and a duplicate with its last answer.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,9 @@ namespace eagerx::link {
 inline constexpr int kNothing = -1;
 inline constexpr int kClosed = -2;
 
-/// `ToBoard`, `ToHost`: most bytes of a frame's payload; longer messages take several frames. All
-/// zero at the start. `Depth`: answers that are kept, for a host that sends that many requests
-/// before it waits; a `Port` that holds what comes meanwhile.
+/// `ToBoard`, `ToHost`: maximum payload of a frame in bytes; longer messages take several frames.
+/// All zero at the start. `Depth`: number of stored answers, for a host that sends that many
+/// requests before it waits; the `Port` must buffer requests that arrive in the meantime.
 template <class Port, std::size_t ToBoard, std::size_t ToHost, std::size_t Depth = 1>
 class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost, Depth>> {
   static_assert(ToBoard >= Greeting::kBytes && ToHost >= Greeting::kBytes && Depth >= 1);
@@ -23,12 +23,13 @@ class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost, Depth>> {
  public:
   Port port;
 
-  /// The host receives `status`, and, if it is not 0, no session begins.
+  /// Sends `status` to the host. If it is not 0, no session begins.
   void identify(Identity identity, std::uint8_t status) {
     identity_ = identity;
     status_ = status;
   }
-  /// Returns when a session has begun, at once if one just did; false if the line is closed.
+  /// Waits until a session has begun, or returns immediately if one has just begun; false if the
+  /// line is closed.
   bool wait_for_host() {
     while (!greeted_) {
       if (!wait_for_request()) {
@@ -64,9 +65,9 @@ class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost, Depth>> {
   }
 
  private:
-  /// Answers the request that is being worked on and waits for the next one.
+  /// Answers the current request, and waits for the next one.
   [[gnu::noinline]] void next_request() {
-    // Two programs of one graph never answer before everything is read.
+    // Programs of the same graph never answer before they have read everything.
     if (read_ != received_) open_ = false;
     if (open_ && number_ > 0) send(Kind::answer, number_);
     if (!open_ || !wait_for_request()) open_ = false;
@@ -74,14 +75,14 @@ class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost, Depth>> {
   }
 
   OutFrame<ToHost>& out() { return out_[number_ % Depth]; }
-  /// Whether the request `number` was answered with a frame that is still there.
+  /// Whether the answer to the request `number` is still stored.
   bool is_kept(std::uint32_t number) const {
     if (number == 0 || number_ == 0) return false;
     if constexpr (Depth == 1) return number == number_;
     return number <= number_ && number_ - number < Depth;
   }
 
-  /// True if there is a new request of this session; false if there is a new session or no line.
+  /// True for a new request of this session; false for a new session or a closed line.
   [[gnu::noinline]] bool wait_for_request() {
     for (;;) {
       const int byte = port.get();

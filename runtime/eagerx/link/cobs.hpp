@@ -9,7 +9,7 @@ namespace eagerx::link {
 
 inline constexpr std::size_t kCobsRun = 254;  // most bytes after one length byte
 
-/// Most bytes that `size` bytes become, without the zero that ends them.
+/// Maximum encoded size of `size` bytes, without the final zero.
 constexpr std::size_t cobs_bound(std::size_t size) {
   return size + size / kCobsRun + 1;
 }
@@ -28,8 +28,8 @@ constexpr void cobs_encode(const std::uint8_t* bytes, std::size_t size, Put&& pu
   }
 }
 
-/// Decodes `size` bytes without zeros in place. Returns the new size; `size` itself, which no valid
-/// frame has, if they are not an encoded frame.
+/// Decodes `size` bytes without zeros in place. Returns the new size, or `size` itself, which is
+/// impossible for a valid frame, if the bytes are not an encoded frame.
 constexpr std::size_t cobs_decode(std::uint8_t* bytes, std::size_t size) {
   std::size_t in = 0;
   std::size_t out = 0;

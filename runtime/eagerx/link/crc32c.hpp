@@ -24,9 +24,8 @@ inline constexpr CrcTable kCrcTable{};
 
 }  // namespace detail
 
-/// The checksum of `size` bytes. `start` is the checksum of the bytes before them, 0 if there are
-/// none. The headers of the link keep such functions out of line: this saves flash, and a line is
-/// slower than any call.
+/// The checksum of `size` bytes. `start` is the checksum of the preceding bytes, or 0. The headers
+/// of the link do not inline such functions: this saves flash, and a line is slower than any call.
 [[gnu::noinline]] constexpr std::uint32_t crc32c(const std::uint8_t* bytes, std::size_t size,
                                                  std::uint32_t start = 0) {
   std::uint32_t crc = ~start;

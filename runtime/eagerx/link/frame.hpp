@@ -2,7 +2,7 @@
 //
 //   0, COBS(kind u8, number u32, payload, CRC-32C u32), 0
 //
-// with little-endian numbers. The zero in front ends whatever noise came before. The CRC of a
+// with little-endian numbers. The leading zero ends any noise before the frame. The CRC of a
 // session's frames starts from the session's own value, so frames of another session, graph or
 // version fail it.
 #pragma once
@@ -20,14 +20,14 @@ namespace eagerx::link {
 static_assert(std::endian::native == std::endian::little,
               "messages are sent as they lie in memory");
 
-/// Version of everything below; a hello with another one is refused.
+/// Version of the protocol; a hello with another version is rejected.
 inline constexpr std::uint8_t kProtocol = 1;
 
 enum class Kind : std::uint8_t { hello = 1, welcome = 2, request = 3, answer = 4 };
 
 inline constexpr std::size_t kHeaderBytes = 5;
 inline constexpr std::size_t kCrcBytes = 4;
-/// Bytes on the line of a frame with a payload of up to 245 bytes, besides the payload.
+/// Overhead in bytes on the line of a frame with a payload of up to 245 bytes.
 inline constexpr std::size_t kFrameBytes = kHeaderBytes + kCrcBytes + 3;
 
 /// The number of the exchange after `number`: 0 is none.
@@ -46,8 +46,8 @@ void write_as(std::uint8_t* bytes, T value) {
   std::memcpy(bytes, &value, sizeof value);
 }
 
-/// The hub and the part of this name agree on it, and no other part does: FNV-1a of the hash of the
-/// sources of all programs and the name.
+/// The hash that the hub shares with the part of this name only: FNV-1a of the hash of the sources
+/// of all programs and the name.
 constexpr std::uint64_t hash_of_part(std::uint64_t graph, const char* name) {
   constexpr std::uint64_t kPrime = 0x100000001b3U;
   std::uint64_t hash = graph;
@@ -91,14 +91,15 @@ struct Greeting {
   }
 };
 
-/// A frame on its way out. All zero at the start.
+/// An outgoing frame. All zero at the start.
 template <std::size_t Payload>
 class OutFrame {
  public:
   void clear() { size_ = 0; }
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
-  /// As many of `size` bytes as there is room for; returns how many. Null for none of them.
+  /// Appends as many of `size` bytes as fit, and returns their number. `bytes` may be null if
+  /// `size` is 0.
   [[gnu::noinline]] std::size_t append(const std::uint8_t* bytes, std::size_t size) {
     const std::size_t count = size < Payload - size_ ? size : Payload - size_;
     if (count == 0) return 0;  // memcpy takes no null
@@ -111,7 +112,7 @@ class OutFrame {
     write_as(bytes_ + 1, number);
     write_as(bytes_ + kHeaderBytes + size_, crc32c(bytes_, kHeaderBytes + size_, crc_start));
   }
-  /// put(byte) for everything that is sent; the frame stays and can be sent again.
+  /// Calls put(byte) for each byte on the line. The frame stays, and can be sent again.
   template <class Put>
   void send(Put&& put) const {
     put(std::uint8_t{0});
@@ -124,12 +125,12 @@ class OutFrame {
   std::size_t size_;
 };
 
-/// Collects bytes from the line until they are a frame. All zero at the start.
+/// Collects bytes from the line until they form a frame. All zero at the start.
 template <std::size_t Payload>
 class InFrame {
  public:
-  /// True if `byte` ends something that can be a frame; the caller checks its CRC, because it
-  /// knows the session. The frame is there until the next byte.
+  /// True if `byte` ends a possible frame. The caller checks its CRC, because it knows the session.
+  /// The frame is valid until the next byte.
   bool take(std::uint8_t byte) {
     if (byte != 0) {
       // One byte too many marks a frame that is too long.
@@ -153,7 +154,7 @@ class InFrame {
     return read_as<std::uint32_t>(bytes_ + kHeaderBytes + size_) ==
            crc32c(bytes_, kHeaderBytes + size_, crc_start);
   }
-  /// Frames that were damaged beyond a CRC.
+  /// Number of damaged frames, not counting wrong CRCs.
   std::uint32_t damaged() const { return damaged_; }
 
  private:

@@ -1,8 +1,8 @@
-// The host's end of the link. It drives: a request goes out when it needs messages of the board (or
-// its frame is full), and is sent again until the answer with its number is there. So a line that
-// drops, duplicates, delays, reorders or corrupts frames changes how long a run takes and nothing
-// else, or the run stops with a reason. A host that knows what it will need can submit() requests
-// before it waits for the answer to the first of them.
+// The host's end of the link. The host is the master: it sends a request when it needs messages of
+// the board (or its frame is full), and repeats it until the answer with its number arrives. So a
+// line that drops, duplicates, delays, reorders or corrupts frames changes only the duration of a
+// run, or the run stops with a reason. A host that knows its next requests can submit() them before
+// it waits for the first answer.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace eagerx::link {
 
-/// Why a connection is over.
+/// The reason why a connection has ended.
 enum class Problem : std::uint8_t {
   none,
   no_answer,       // within the time limit
@@ -33,11 +33,11 @@ struct Statistics {
   std::uint64_t slowest_ns = 0;  // from a request to its answer
 };
 
-/// `Port` has put(byte), flush() and get(until_ns), which returns a byte, kNothing when the time
-/// is over or kClosed; and now_ns(), a clock that never goes back. It may have write_until(ns):
-/// what cannot be written by then is dropped; and is_interrupted(): the run is interrupted,
-/// so an answer that is not there soon is not waited for. `Depth`: requests that may be without an
-/// answer; the board's BoardLink has the same.
+/// `Port` has put(byte), flush() and get(until_ns), which returns a byte, kNothing after a
+/// time-out, or kClosed; and now_ns(), a monotonic clock. It may have write_until(ns), after which
+/// unwritten bytes are dropped, and is_interrupted(), which ends the wait for a late answer because
+/// the run is interrupted. `Depth`: maximum number of unanswered requests, the same as in the
+/// board's BoardLink.
 template <class Port, std::size_t ToBoard, std::size_t ToHost, std::size_t Depth = 1>
 class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
   static_assert(ToBoard >= Greeting::kBytes && ToHost >= Greeting::kBytes && Depth >= 1);
@@ -51,14 +51,14 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
   Port port;
 
   void set_time_limit(std::uint64_t ns) { limit_ns_ = ns; }
-  /// Calls `f(context)` once in every exchange that takes longer than `ns`, while it waits on; with
-  /// nullptr nothing.
+  /// Sets a function `f(context)` to call once in every exchange that takes longer than `ns`, while
+  /// it continues to wait; nullptr: none.
   void on_silence(std::uint64_t ns, void (*f)(void*), void* context) {
     silence_ns_ = ns;
     silent_ = f;
     silent_context_ = context;
   }
-  /// Begins a session; `session` is a number that no earlier one had. False: see problem().
+  /// Begins a session; `session` is a new number. False: see problem().
   bool open(Identity identity, std::uint32_t session) {
     Greeting hello;
     hello.runtime = identity.runtime;
@@ -108,7 +108,8 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
     command(Command::reset);
     episode.put(*this);
   }
-  /// Ends a run: everything is sent, and the board reports; f(name, count) for each of its counts.
+  /// Ends a run: sends everything, reads the board's report, and calls f(name, count) for each of
+  /// its counts.
   template <class F>
   bool finish(Report& report, F&& f) {
     command(Command::finish);
@@ -120,7 +121,7 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
       const std::size_t taken = out().append(bytes, size);
       bytes += taken;
       size -= taken;
-      // A host that submits has frames with room for all that goes into one.
+      // A host that submits requests has frames large enough for all their contents.
       if (size > 0 && waiting_ > 0) problem_ = Problem::out_of_step;
       if (size > 0) request();
     }
@@ -138,8 +139,9 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
     return ok();
   }
 
-  /// Sends what the board needs for its next messages, if there is something, and does not wait for
-  /// them. Before it, until is_full() is false: get() of the oldest that were submitted.
+  /// Sends the messages that the board needs for its next ones, if there are any, without waiting
+  /// for the answer. Before that, get() the answers to the oldest requests until is_full() is
+  /// false.
   void submit() {
     if (!open_ || !ok() || out().empty()) return;
     send_request(port.now_ns());
@@ -151,12 +153,12 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
 
   void command(Command what) { this->put(static_cast<std::uint8_t>(what)); }
   OutFrame<ToBoard>& out() { return out_[filled_]; }
-  /// The frame that went out `back` frames before the one that is being filled.
+  /// The frame sent `back` frames before the one that is being filled.
   OutFrame<ToBoard>& sent(std::size_t back) { return out_[place_of(back)]; }
   std::size_t place_of(std::size_t back) const { return (filled_ + kFrames - back) % kFrames; }
 
   void request() {
-    // Two programs of one graph never ask before everything is read.
+    // Programs of the same graph never send a request before they have read everything.
     if (!open_) problem_ = Problem::closed;
     if (ok() && read_ != received_) problem_ = Problem::out_of_step;
     if (!ok()) return;
@@ -182,8 +184,8 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
     send(sent(1), silence < until ? silence : until);
   }
 
-  /// Waits for the answer to the oldest request without one, and sends all of these again where it
-  /// does not come. It is then in in_. The time begins at `begun`.
+  /// Waits for the answer to the oldest unanswered request, and resends all unanswered requests if
+  /// it does not arrive. The answer is then in in_. The time starts at `begun`.
   bool answer_comes(Kind wanted, std::uint32_t number, std::uint32_t crc_start,
                     std::uint64_t begun) {
     awaited_ = number;
@@ -245,7 +247,7 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
       }
     }
   }
-  /// A request to end does not wait for a board that may be silent.
+  /// An interrupted run does not wait for a board that may be silent.
   void look(std::uint64_t now_ns) {
     if constexpr (requires { port.is_interrupted(); }) {
       if (hurries_ || !port.is_interrupted()) return;
@@ -272,8 +274,8 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
     port.flush();
   }
 
-  /// The time before a request is sent again follows the time that answers take; where no answer
-  /// comes in time it doubles, for a slow board has enough to do (Karn, Partridge, 1987).
+  /// The time-out adapts to the time that answers take, and doubles after each time-out, so that a
+  /// slow board is not overloaded (Karn, Partridge, 1987).
   void note_time(std::uint64_t ns, bool repeated) {
     if (ns > statistics_.slowest_ns) statistics_.slowest_ns = ns;
     if (repeated) {
@@ -312,7 +314,7 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
   bool hurries_ = false;
 };
 
-/// A link that is not there, for programs that only say what they are.
+/// A dummy link, for programs that only describe themselves.
 struct NoLink {
   static constexpr bool ok() { return false; }
   static void begin_step() {}

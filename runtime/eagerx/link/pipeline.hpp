@@ -1,7 +1,7 @@
-// A hub that continues while its parts calculate: it asks for a message where the message is sent,
-// and waits for it where it is read. What a delay holds back is not waited for, and parts that do
-// not need each other calculate at the same time. Which message is read when, and the order of the
-// trace, stay what they are.
+// A hub that continues while its parts calculate: it requests a message when the message is sent,
+// and waits for it when it is read. It does not wait for messages that a delay holds back, and
+// independent parts calculate at the same time. The messages of each tick and the order of the
+// trace do not change.
 #pragma once
 
 #include <cstddef>
@@ -24,20 +24,20 @@ struct alignas(16) Record {
   bool is_there;        // else it is still to come
 };
 
-/// A channel that a message is to come of.
+/// A channel with an expected message.
 template <class Message>
 struct Awaited {
   std::uint32_t channel;
 };
 
-/// Messages in the order of the trace, from the first that is missing: a ring of bytes, in which
-/// no message is in two pieces. All zero at the start.
+/// Messages in the order of the trace, from the first missing one on: a ring of bytes that never
+/// splits a message. All zero at the start.
 template <class Hooks, std::size_t Bytes>
 class LaterMessages {
  public:
   bool empty() const { return first_ == end_; }
 
-  /// Whether add() can be called for these, one after the other.
+  /// Whether add() can be called for all of these.
   template <class... Message>
   bool has_room() {
     constexpr std::size_t kBytes = (kBytesOf<Message> + ...);
@@ -57,17 +57,17 @@ class LaterMessages {
     end_ += kBytesOf<Message>;
     return record;
   }
-  /// The message of a record is there.
+  /// Stores the message of a record.
   template <class Message>
   static void fill(Record& record, const Message& message) {
     std::memcpy(&record + 1, &message, sizeof message);
     record.is_there = true;
   }
-  /// That of those for which has_room() was asked together.
+  /// The next record of those that has_room() checked together.
   static Record* after(Record* record) {
     return reinterpret_cast<Record*>(reinterpret_cast<unsigned char*>(record) + record->bytes);
   }
-  /// Tells the hooks what is there, up to the first that is not.
+  /// Passes messages to the hooks, up to the first missing one.
   void flush(Hooks& hooks) {
     while (!empty()) {
       auto* const record = reinterpret_cast<Record*>(bytes_ + first_);
@@ -98,16 +98,16 @@ class LaterMessages {
 };
 
 /// `Owner` is the hub's program, with a member `hooks` and a link() that is a Star of `Parts`
-/// links. `Most`: ticks of a part's nodes that may be in flight; `Bytes`: of the trace that
-/// waits. If either is not enough, the hub waits. All zero at the start.
+/// links. `Most`: maximum number of ticks of a part's nodes in flight; `Bytes`: size of the pending
+/// trace. If either is full, the hub waits. All zero at the start.
 template <class Owner, class Hooks, std::size_t Parts, std::size_t Most, std::size_t Bytes>
 class Pipeline {
  public:
-  /// Takes what a node sends at tick `n`; false if the connection is over. `record`: of its first
-  /// message, null where the trace waits for nothing.
+  /// Reads the messages that a node sends at tick `n`; false if the connection has ended. `record`:
+  /// that of its first message, null if the trace waits for nothing.
   using Take = bool (Owner::*)(Seq n, Record* record);
 
-  /// Asks part `K` for what `take` takes. False if the connection is over.
+  /// Requests from part `K` the messages that `take` reads. False if the connection has ended.
   template <std::size_t K, class... Message>
   bool request(Owner& owner, PartIndex<K> part, Take take, Seq n, Awaited<Message>... awaited) {
     auto& link = owner.link();
@@ -123,9 +123,9 @@ class Pipeline {
     return link.ok();
   }
 
-  /// At tick `n` of a node of `from`: hands on to `to` the message of `lag` ticks before, the first
-  /// at once, and waits for it. The node has sent into `ring`, and `taken` are there. False if the
-  /// connection is over.
+  /// At tick `n` of a node of `from`: forwards its message of `lag` ticks earlier to `to`, the
+  /// first message immediately, and waits for it if necessary. The node's messages are in `ring`;
+  /// `taken` have arrived. False if the connection has ended.
   template <class From, class To, class Message, std::size_t Capacity>
   bool hand_on(Owner& owner, From from, const Seq& taken, Seq n, Seq lag, To to,
                const Message (&ring)[Capacity]) {
@@ -137,8 +137,8 @@ class Pipeline {
     return true;
   }
 
-  /// Returns `count` once that many messages of a node of part `K` are there, of which there are
-  /// `taken`.
+  /// Returns `count` once that many messages of a node of part `K` have arrived; `taken` have
+  /// arrived so far.
   template <std::size_t K>
   Seq need(Owner& owner, PartIndex<K> /*part*/, const Seq& taken, Seq count) {
     Queue& queue = queues_[K];
@@ -148,7 +148,7 @@ class Pipeline {
     return count;
   }
 
-  /// Waits for all that is in flight. False if the connection is over.
+  /// Waits for all messages in flight. False if the connection has ended.
   bool drain(Owner& owner) {
     for (Queue& queue : queues_) {
       while (queue.count > 0) {
@@ -158,8 +158,8 @@ class Pipeline {
     return true;
   }
 
-  /// Waits for all, and from then on for each message where it is asked for: where parts also send
-  /// messages without a request. False if the connection is over.
+  /// Waits for all messages, and from then on for each message when it is requested, because parts
+  /// also send messages without a request. False if the connection has ended.
   bool hold(Owner& owner) {
     held_ = true;
     return drain(owner);
@@ -178,7 +178,7 @@ class Pipeline {
     }
     owner.hooks.on_message(channel, seq, message);
   }
-  /// The same of one that has come over a link.
+  /// The same for a message that arrived over a link.
   template <class Message>
   void came(Owner& owner, Record*& record, std::uint32_t channel, Seq seq, Message& message) {
     if (record == nullptr) return tell(owner, channel, seq, message);
@@ -194,7 +194,7 @@ class Pipeline {
     Seq n;
     Record* record;
   };
-  /// Of one part, in the order in which it sends.
+  /// The expected messages of one part, in its sending order.
   struct Queue {
     Waiting waiting[Most];
     std::size_t first, count;

@@ -1,7 +1,6 @@
-// The hub's links to all parts of a graph. Each has frames, exchanges and a line of its own
-// (host.hpp); what goes from one part to another goes through the hub. All programs follow one
-// order of messages, so the hub never waits for two parts that wait for each
-// other.
+// The hub's links to all parts of a graph. Each link has its own frames, exchanges and line
+// (host.hpp); messages between parts go through the hub. All programs follow one order of messages,
+// so the hub never waits for two parts that wait for each other.
 #pragma once
 
 #include <cstddef>
@@ -21,12 +20,12 @@ struct PartFacts {
   std::uint64_t graph;  // Identity::graph
 };
 
-/// Names part `K` where a link is chosen.
+/// Selects the link of part `K`.
 template <std::size_t K>
 struct PartIndex {};
 
-/// A message that one part sends and another reads with a delay comes to that part `lag` ticks of
-/// its node later, the first message at once: whether one comes at tick `n`, and which.
+/// A message that one part sends and another reads with a delay reaches that part `lag` ticks of
+/// its node later, except the first, which arrives immediately. Whether one arrives at tick `n`.
 constexpr bool comes_late(Seq n, Seq lag) {
   return n == 0 || n > lag;
 }
@@ -70,7 +69,7 @@ class Star {
   bool get(PartIndex<K> /*part*/, Message& message) {
     return link<K>().get(message);
   }
-  /// The same, of a message with a channel.
+  /// The same for a message with a channel.
   template <std::size_t K, class Message>
   bool get(PartIndex<K> /*part*/, std::uint32_t channel, Message& message) {
     progress_[K].awaited = channel;
@@ -79,7 +78,7 @@ class Star {
     return true;
   }
 
-  /// Whether a hub that can (pipeline.hpp) asks for messages before it needs them.
+  /// Whether a hub that supports it (pipeline.hpp) requests messages before it needs them.
   bool is_pipelined() const { return is_pipelined_; }
   void set_pipelined(bool is_pipelined) { is_pipelined_ = is_pipelined; }
   template <std::size_t K>

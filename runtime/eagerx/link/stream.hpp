@@ -1,4 +1,4 @@
-// Messages and commands as bytes, on top of what carries bytes.
+// Messages and commands as bytes, on top of a byte stream.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,7 @@ struct Episode {
            link.get(agent);
   }
 };
-/// A command with its episode, the longest.
+/// Size of the longest command, the one with an episode.
 inline constexpr std::size_t kCommandBytes = 18;
 
 /// The board's report at the end of a run; a list of counts by name follows, with an empty name at
@@ -56,7 +56,7 @@ struct Report {
   }
 };
 
-/// One entry of that list: at most 255 characters of the name, without its 0.
+/// Writes an entry of that list: at most 255 characters of the name, without its 0.
 template <class Link>
 [[gnu::noinline]] void put_count(Link& link, const char* name, std::uint64_t count) {
   constexpr std::uint8_t kLongest = 255;
@@ -70,7 +70,8 @@ template <class Link>
 void end_counts(Link& link) {
   link.put(std::uint8_t{0});
 }
-/// f(name, count) for each entry; false if the connection is over, or there are too many.
+/// Calls f(name, count) for each entry; false if the connection has ended, or if there are too
+/// many.
 template <class Link, class F>
 bool get_counts(Link& link, F&& f) {
   constexpr int kMost = 10'000;
@@ -84,7 +85,7 @@ bool get_counts(Link& link, F&& f) {
     if (!link.get_bytes(reinterpret_cast<std::uint8_t*>(name), length) || !link.get(count))
       return false;
     name[length] = '\0';
-    // What a terminal might obey has no place in a name.
+    // Replaces characters that could control a terminal.
     for (std::size_t k = 0; k < length; ++k)
       name[k] = name[k] >= ' ' && name[k] <= '~' ? name[k] : '?';
     f(static_cast<const char*>(name), count);
@@ -93,23 +94,23 @@ bool get_counts(Link& link, F&& f) {
 }
 
 /// Adds messages to a class `Link` with put_bytes(bytes, size) and get_bytes(bytes, size), which
-/// returns false when the connection is over.
+/// returns false if the connection has ended.
 template <class Link>
 class Stream {
  public:
-  /// Sends numbers as they lie in memory, a bool as 0 or 1.
+  /// Sends numbers as in memory, and a bool as 0 or 1.
   template <class Message>
   void put(const Message& message) {
     self().put_bytes(reinterpret_cast<const std::uint8_t*>(&message), sizeof message);
   }
-  /// False if the connection is over; the message is then as it was, or a part of it is new.
+  /// False if the connection has ended; the message may then be partly overwritten.
   template <class Message>
   bool get(Message& message) {
     static_assert(std::is_trivially_copyable_v<Message>);
     auto* const bytes = reinterpret_cast<std::uint8_t*>(&message);
     if (!self().get_bytes(bytes, sizeof message)) return false;
     if constexpr (std::is_same_v<ScalarOf<Message>, bool>) {
-      // Any other byte would be no bool at all.
+      // Any other byte would not be a valid bool.
       for (std::size_t i = 0; i < sizeof message; ++i) bytes[i] = bytes[i] != 0 ? 1 : 0;
     }
     return true;

@@ -1,7 +1,7 @@
-// Telemetry of a board that runs in real time: chosen messages, in the frames of the
-// link (frame.hpp), over a line without answers. In a slot messages are only copied into a
-// ring; frames are made and sent in the idle time between slots, a byte at a time, and nothing ever
-// waits. targets/README.md has the format.
+// Telemetry of a board that runs in real time: chosen messages, in the frames of the link
+// (frame.hpp), over a line without answers. A slot only copies messages into a ring. Frames are
+// made and sent byte by byte in the idle time between slots, and nothing ever waits.
+// targets/README.md has the format.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 
 namespace eagerx::link {
 
-/// Kinds of its frames, in addition to those of Kind.
+/// Kinds of telemetry frames, in addition to those of Kind.
 inline constexpr std::uint8_t kTelemetryGreeting = 5;
 inline constexpr std::uint8_t kTelemetryValues = 6;
 
@@ -28,21 +28,21 @@ inline constexpr std::size_t kMostRecordChannels = 16;
 /// Payload of a greeting: Greeting, episode u32, dropped u32, late u32.
 inline constexpr std::size_t kTelemetryGreetingBytes = Greeting::kBytes + 12;
 
-/// Channels of one rate, which are sent together.
+/// Channels of one rate that are sent together.
 struct TelemetryGroup {
   std::uint16_t bytes;  // of a record
   std::uint16_t mask;   // a bit for each channel
   std::uint32_t every;  // one of this many messages is sent
 };
 inline constexpr std::uint8_t kNoGroup = 255;
-/// Where a message goes.
+/// Place of a message in a record.
 struct TelemetryPlace {
   std::uint8_t group = kNoGroup;
   std::uint8_t bit = 0;
   std::uint16_t offset = 0;  // in the record
 };
 
-/// The greeting that all frames of a board with this graph begin their CRC from.
+/// The greeting from which all frames of a board with this graph start their CRC.
 inline Greeting telemetry_greeting(std::uint64_t graph) {
   Greeting greeting;
   greeting.runtime = static_cast<std::uint16_t>(kVersionMajor * 256 + kVersionMinor);
@@ -50,13 +50,12 @@ inline Greeting telemetry_greeting(std::uint64_t graph) {
   return greeting;
 }
 
-/// Makes frames, a byte of header and payload at a time, and hands them out, a byte at a time. All
-/// zero at the start.
+/// Makes and sends frames, byte by byte. All zero at the start.
 template <std::size_t Payload>
 class ByteFrame {
  public:
   bool empty() const { return used_ == 0; }
-  /// Whether finish() was called and not everything is sent.
+  /// Whether a finished frame has bytes left to send.
   bool is_ready() const { return ready_; }
 
   void begin(std::uint32_t crc_start) {
@@ -79,8 +78,8 @@ class ByteFrame {
     bytes_[used_++] = 0;
     ready_ = true;
   }
-  /// Offers the next byte to put(byte), which is false if there is no room for it. True if that was
-  /// the last one.
+  /// Offers the next byte to put(byte), which returns false if there is no room for it. True after
+  /// the last byte.
   template <class Put>
   bool offer(Put&& put) {
     if (!put(bytes_[sent_])) return false;
@@ -91,7 +90,7 @@ class ByteFrame {
   }
 
  private:
-  // As cobs_encode(), which needs all of a frame at once.
+  // Like cobs_encode(), which needs the whole frame at once.
   void stuff(std::uint8_t byte) {
     constexpr std::uint8_t kFull = kCobsRun + 1;
     if (run_ == kFull) close_run();
@@ -139,7 +138,7 @@ class Telemetry {
     is_on_ = true;
   }
   bool is_on() const { return is_on_; }
-  /// Before the messages of an episode.
+  /// Call it before the messages of an episode.
   void episode(std::uint32_t index) {
     episode_ = index;
     for (Open& open : open_) {
@@ -148,8 +147,8 @@ class Telemetry {
     }
   }
 
-  /// In a slot: copies the message if its turn has come. `channel` is a number that the compiler
-  /// knows, so most of this is gone.
+  /// In a slot: copies the message if it is due. `channel` is a compile-time constant, so most of
+  /// this is optimized away.
   template <class Message>
   [[gnu::always_inline]] void take(std::uint32_t channel, Seq seq, const Message& message) {
     const TelemetryPlace place = Layout::kPlaces[channel];
@@ -165,7 +164,7 @@ class Telemetry {
   }
 
   /// In idle time: one small step, about as long as a byte of CRC-32C. False if there is nothing to
-  /// do. `put(byte)` gives a byte to the line if there is room for it.
+  /// do. `put(byte)` passes a byte to the line if there is room for it.
   template <class Put>
   bool step(Put&& put) {
     if (frame_.is_ready()) return frame_.offer(put), true;
@@ -175,18 +174,18 @@ class Telemetry {
     if (source_ != greeting_) free_record();
     return true;
   }
-  /// After the last message: what is there of open records is sent, too.
+  /// After the last message: closes open records, so that they are sent, too.
   void end_run() {
     for (Open& open : open_) close(open);
   }
-  /// Throws the records away that step() would send.
+  /// Discards the records that step() would send.
   void discard() {
     for ([[maybe_unused]] const auto record : bounded<kCells>()) {
       if (sent_ == made_ || !cell(sent_).closed) return;
       free_record();
     }
   }
-  /// The same of a line that takes no more: they count as dropped.
+  /// The same for a line that accepts no more bytes: the records count as dropped.
   void drop_all() {
     dropped_ += made_ - sent_;
     sent_ = made_;
@@ -194,7 +193,7 @@ class Telemetry {
   /// A greeting's description of the program.
   void set_late(std::uint64_t slots) { late_ = static_cast<std::uint32_t>(slots); }
 
-  /// Records that were made, and those of them that found the ring full.
+  /// Number of records made, and of those dropped because the ring was full.
   std::uint32_t records() const { return number_; }
   std::uint32_t dropped() const { return dropped_; }
 
@@ -204,7 +203,7 @@ class Telemetry {
     std::uint32_t number;
     bool closed;
   };
-  /// The record of a group that is being filled, and the sequence number of the next one.
+  /// The open record of a group, and the sequence number of the next one.
   struct Open {
     Record* record;
     std::uint32_t seq;
@@ -213,19 +212,19 @@ class Telemetry {
 
   Record& cell(std::uint32_t index) { return cells_[index & (kCells - 1)]; }
 
-  /// False if this message is not one that is sent.
+  /// False if this message is not sent.
   [[gnu::noinline]] bool begin(std::uint32_t channel, std::uint32_t low) {
     const TelemetryPlace place = Layout::kPlaces[channel];
     Open& open = open_[place.group];
     const std::uint32_t every = Layout::kGroups[place.group].every;
     if (low == 0) {
-      // After a reset routine numbers begin anew.
+      // After a reset routine, sequence numbers restart.
       const bool again = open.seq != 0 || (open.mask >> place.bit & 1U) != 0;
       if (open.record != nullptr && !again) return true;
       close(open);
       open.seq = 0;
     } else if (open.record != nullptr) {
-      // Not all of its channels had a message, as in a reset routine.
+      // Some of its channels had no message, as in a reset routine.
       close(open);
       open.seq += every;
     }
@@ -237,7 +236,7 @@ class Telemetry {
     }
     const bool full = made_ - sent_ == kCells;
     dropped_ += full ? 1 : 0;
-    // What finds no room is copied all the same, to where it is never read.
+    // If the ring is full, the message is copied into a record that is never read.
     Record& record = full ? spare_ : cell(made_++);
     record.number = number_++;
     record.closed = false;

@@ -35,7 +35,7 @@ constexpr auto isnan(R x) {
   return x != x;
 }
 
-/// True for everything but infinities and NaN.
+/// True except for infinities and NaN.
 template <Floating R>
 constexpr auto isfinite(R x) {
   return abs(x) < R(FloatFormat<LaneOf<R>>::infinity);

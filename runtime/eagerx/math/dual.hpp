@@ -23,13 +23,13 @@
 
 namespace eagerx {
 
-/// What else a Dual does when it begins to exist: nothing. A program specializes it to find all
-/// numbers of an object (targets/linearize).
+/// Does nothing when a Dual is constructed. A program specializes it to find all numbers of an
+/// object (targets/linearize).
 template <class R, std::size_t N>
 struct DualBirth {};
 
-/// A number (or SIMD vector) `value` and its N derivatives. Comparisons look at the value only,
-/// so at a kink the derivative is that of the branch which is taken.
+/// A number (or SIMD vector) `value` and its N derivatives. Comparisons use the value only, so at a
+/// kink the derivative is that of the branch taken.
 template <class R, std::size_t N>
 struct Dual {
   [[no_unique_address]] DualBirth<R, N> birth;
@@ -44,7 +44,7 @@ struct Dual {
   requires(std::is_arithmetic_v<T> && !std::is_same_v<T, R>) constexpr Dual(T constant)
       : value(static_cast<LaneOf<R>>(constant)), derivative{} {}
   // NOLINTEND(google-explicit-constructor)
-  /// Refused with a reason: the derivatives would be lost.
+  /// Deleted: the conversion would lose the derivatives.
   template <class T>
   requires std::is_arithmetic_v<T>
   constexpr explicit operator T() const {
@@ -116,7 +116,7 @@ constexpr Dual<R, N> select(const TruthOf<R>& mask, const Dual<R, N>& when_true,
 
 namespace detail {
 
-/// slope·d, and 0 where d is 0: a constant stays one where the slope is infinite or not a number.
+/// slope·d, or 0 if d is 0: a constant stays constant even if the slope is infinite or NaN.
 template <class R>
 constexpr R scaled(const R& slope, const R& d) {
   return select(d == R(LaneOf<R>(0)), d, slope * d);
@@ -247,7 +247,7 @@ constexpr Dual<R, N> pow(const Dual<R, N>& x, const std::type_identity_t<Dual<R,
     return detail::scaled(by_x, x.derivative[i]) + detail::scaled(by_y, y.derivative[i]);
   });
 }
-/// Steps: the derivative of what is rounded is zero.
+/// Step functions: the derivative is zero.
 template <class R, std::size_t N>
 constexpr Dual<R, N> trunc(const Dual<R, N>& x) {
   return trunc(x.value);
@@ -264,7 +264,7 @@ template <class R, std::size_t N>
 constexpr Dual<R, N> round(const Dual<R, N>& x) {
   return round(x.value);
 }
-/// The mean slope of the steps, 1: what a loop sees of a fine quantization.
+/// The mean slope of the steps, 1: the effect of a fine quantization in a loop.
 template <class R, std::size_t N>
 constexpr Dual<R, N> quantized(const Dual<R, N>& x, const std::type_identity_t<Dual<R, N>>& step) {
   return Dual<R, N>::of(quantized(x.value, step.value),
@@ -280,7 +280,7 @@ constexpr Dual<R, N> fmod(const Dual<R, N>& x, const std::type_identity_t<Dual<R
 
 }  // namespace eagerx
 
-/// Models write std::numbers::pi_v<Real>; a program may specialise it for its own types.
+/// Models write std::numbers::pi_v<Real>, which a program may specialize for its own types.
 template <class R, std::size_t N>
 inline constexpr eagerx::Dual<R, N> std::numbers::pi_v<eagerx::Dual<R, N>> =
     std::numbers::pi_v<eagerx::LaneOf<R>>;

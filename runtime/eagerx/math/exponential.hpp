@@ -61,7 +61,7 @@ template <class R>
   return {bits(shifted) - BitsOf<R>(bits(kRounder)), r + r * r * horner(r, Constants::kExpm1)};
 }
 
-/// exp(x + low), 0 and infinity where it has to be; NaN gives any number.
+/// exp(x + low), 0 and infinity beyond the range; any number for NaN.
 template <class R>
 [[gnu::always_inline]] constexpr R exp_of_sum(R x, R low) {
   using T = LaneOf<R>;
@@ -69,7 +69,7 @@ template <class R>
   using Constants = ExponentialConstants<T>;
   const R bounded = clamp(x, R(Constants::kLowest), R(Constants::kHighest));
   const ExponentialParts<R> parts = exponential_parts(bounded, low);
-  // 2^n in two factors: n may be outside of the exponents. The first product is exact.
+  // 2^n in two factors, because n may exceed the exponent range. The first product is exact.
   const BitsOf<R> exponent = parts.n + BitsOf<R>(2 * Format::kBias);  // positive
   const BitsOf<R> half = exponent >> 1;
   const R first = unbits(half << Format::kMantissaBits);
@@ -77,7 +77,7 @@ template <class R>
   return ((R(T(1)) + parts.expm1) * first) * second;
 }
 
-/// 2^n for n in two's complement, within the exponents of normal numbers.
+/// 2^n for n in two's complement, within the exponent range of normal numbers.
 template <class R>
 [[gnu::always_inline]] constexpr R power_of_two_lanes(BitsOf<R> n) {
   using Format = FloatFormat<LaneOf<R>>;

@@ -11,8 +11,8 @@
 
 namespace eagerx::detail {
 
-/// x = angle + tail + quadrant * pi/2; |angle| <= pi/4, `tail` is what does not fit into angle, of
-/// `quadrant` only the last two bits count.
+/// x = angle + tail + quadrant * pi/2; |angle| <= pi/4, `tail` is the part that does not fit into
+/// `angle`, and only the last two bits of `quadrant` count.
 template <class R>
 struct Reduced {
   R angle;
@@ -20,8 +20,8 @@ struct Reduced {
   BitsOf<R> quadrant;
 };
 
-/// 2/pi as a binary fraction, most significant word first, after two words of zeros (the numbers
-/// reduced are large, but not so large that their last bit counts more than 2^2).
+/// 2/pi as a binary fraction, most significant word first, after two words of zeros, for numbers
+/// whose last bit is below 2^2.
 inline constexpr std::array<std::uint32_t, 40> kTwoOverPiWords = {
     0x00000000U, 0x00000000U, 0xa2f9836eU, 0x4e441529U, 0xfc2757d1U, 0xf534ddc0U, 0xdb629599U,
     0x3c439041U, 0xfe5163abU, 0xdebbc561U, 0xb7246e3aU, 0x424dd2e0U, 0x06492eeaU, 0x09d1921cU,
@@ -136,8 +136,8 @@ struct ReducedFloat {
   float angle, tail, quadrant;
 };
 
-/// What reduce_huge_angle() does, for floats. It has no loop and one branch, so that the bound of
-/// its instructions is what it takes: programs for boards are planned with this path.
+/// reduce_huge_angle() for floats. It has no loop and one branch, so that the bound of its
+/// instructions is tight: programs for boards are planned with this path.
 [[gnu::noinline]] constexpr ReducedFloat reduce_huge_float(float x) {
   using Format = FloatFormat<float>;
   constexpr unsigned kWordBits = 32;
@@ -193,7 +193,7 @@ struct ReducedFloat {
   return {angle, (product.high - angle) + left, unbits(quadrant)};
 }
 
-/// Reduces one angle beyond what the quick reduction takes; NaN for infinities and NaN.
+/// Reduces one angle beyond the range of the quick reduction; NaN for infinities and NaN.
 template <class T>
 [[gnu::noinline]] constexpr Reduced<T> reduce_huge_angle(T x) {
   using Format = FloatFormat<T>;

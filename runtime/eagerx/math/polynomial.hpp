@@ -18,7 +18,7 @@ template <class R, std::size_t N>
   return sum;
 }
 
-/// The unevaluated sum of two numbers: `low` is what does not fit into `high`.
+/// The unevaluated sum of two numbers: `low` is the part that does not fit into `high`.
 template <class R>
 struct TwoWords {
   R high;

@@ -34,7 +34,7 @@ constexpr R trunc(R x) {
   return copysign(even - select(even > abs(x), R(T(1)), R(T(0))), x);
 }
 
-/// The largest integer that is not larger. Exact; keeps the sign of zero.
+/// The largest integer not above `x`. Exact; keeps the sign of zero.
 template <Floating R>
 constexpr R floor(R x) {
   using T = LaneOf<R>;
@@ -42,7 +42,7 @@ constexpr R floor(R x) {
   return copysign(even - select(even > x, R(T(1)), R(T(0))), x);
 }
 
-/// The smallest integer that is not smaller. Exact; keeps the sign of zero.
+/// The smallest integer not below `x`. Exact; keeps the sign of zero.
 template <Floating R>
 constexpr R ceil(R x) {
   using T = LaneOf<R>;
@@ -85,7 +85,7 @@ constexpr T remainder_of_magnitudes(T x, T y) {
   };
   const Parts dividend = parts(x);
   const Parts divisor = parts(y);
-  // Long division, as many binary digits at a time as there is room for above the mantissa.
+  // Long division, with as many binary digits at a time as fit above the mantissa.
   constexpr int kStep = Format::kWidth - Format::kDigits;
   Bits rest = dividend.mantissa % divisor.mantissa;
   for (int digits = dividend.exponent - divisor.exponent; digits > 0; digits -= kStep) {
@@ -103,7 +103,7 @@ constexpr T remainder_of_magnitudes(T x, T y) {
 }  // namespace detail
 
 /// x - n y, n the quotient truncated to an integer; with the sign of x, as C's fmod. Exact. NaN for
-/// y = 0 and infinite x. One lane at a time, and slow when x is very many times y.
+/// y = 0 and infinite x. One lane at a time, and slow for a very large quotient.
 template <Floating R>
 constexpr R fmod(R x, std::type_identity_t<R> y) {
   using T = LaneOf<R>;

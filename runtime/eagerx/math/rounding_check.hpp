@@ -1,15 +1,15 @@
-// Whether compiler options may change results. Its macros say so for -ffast-math, and g++'s for
-// most parts of it (vocabulary.hpp refuses these); clang has none for the others.
+// Finds compiler options that may change results. Macros reveal -ffast-math and, with g++, most of
+// its parts (vocabulary.hpp rejects these); clang has no macros for the parts.
 #pragma once
 
 namespace eagerx {
 
-/// False if this translation unit is compiled so that a product and a sum become one rounding
-/// (-ffp-contract=fast where there are such instructions), sums are put in another order
-/// (-fassociative-math) or quotients become products (-freciprocal-math). Each translation unit has
-/// its own, because each has its own flags.
+/// False if the compiler fuses products and sums in this translation unit (-ffp-contract=fast, if
+/// the machine has such instructions), reorders sums (-fassociative-math), or turns quotients into
+/// products (-freciprocal-math). Each translation unit has its own copy, because each has its own
+/// flags.
 [[nodiscard, maybe_unused]] static bool rounds_each_operation() {
-  // Read at run time, or the compiler would know the answer without its flags.
+  // Read at run time; otherwise the compiler would compute the result without applying the flags.
   volatile float factor = 1.000244140625F;  // 1 + 2^-12, its square rounds to 1 + 2^-11
   volatile float square = 1.00048828125F;
   volatile float large = 16777216.0F;  // 2^24, to which 1 adds nothing

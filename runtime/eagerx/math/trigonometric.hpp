@@ -53,7 +53,7 @@ template <class T>
   }
 }
 
-/// Puts in what reduce_to_quadrant() cannot do: lanes beyond kLargest, one by one.
+/// Reduces the lanes that reduce_to_quadrant() cannot, those beyond kLargest, one by one.
 template <class R>
 [[gnu::noinline, gnu::cold]] constexpr void reduce_huge_lanes(const R& x, Reduced<R>& reduced) {
   using T = LaneOf<R>;
@@ -80,8 +80,8 @@ template <class R>
   const R n = shifted - R(FloatFormat<T>::kRounder);
   R rest = x;
   for (const T part : Constants::kExactParts) rest = rest - n * R(part);
-  // From here on, what the subtractions round off is kept: near multiples of pi/2 it is what
-  // remains.
+  // From here on, the rounding errors of the subtractions are kept: near multiples of pi/2 they are
+  // all that remains.
   const R next = n * R(Constants::kNextPart);
   const R after_next = rest - next;
   const R last = n * R(Constants::kLastPart) - ((rest - after_next) - next);
@@ -90,7 +90,7 @@ template <class R>
 
   if constexpr (lanes<R> != 1) {
     if (any(huge)) [[unlikely]] {
-      // What has an address stays in memory: that is a copy.
+      // A variable whose address is taken stays in memory, so this is a copy.
       Reduced<R> corrected = reduced;
       reduce_huge_lanes(R(x), corrected);
       reduced = corrected;
@@ -108,7 +108,7 @@ struct SinCos {
   R cos;
 };
 
-/// Sine and cosine of `x` rad, for the price of little more than one. Errors as for sin and cos.
+/// Sine and cosine of `x` rad, for little more than the cost of one. Errors as for sin and cos.
 template <Floating R>
 [[gnu::always_inline]] constexpr SinCos<R> sincos(R x) {
   using T = LaneOf<R>;

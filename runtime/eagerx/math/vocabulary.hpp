@@ -1,4 +1,4 @@
-// The few words the mathematics is written in. A SIMD vector that provides them (with
+// The operations that the mathematics is written in. A SIMD vector that provides them (with
 // arithmetic, comparisons and a broadcasting constructor) can use every function of eagerx/math.hpp
 // unchanged.
 #pragma once
@@ -54,7 +54,7 @@ using CountOf = BitsOf<R>;
 template <class R>
 concept Floating = std::is_floating_point_v<typename LaneTraits<R>::Lane>;
 
-/// `when_true` where `mask` holds, `when_false` elsewhere; both are computed.
+/// `when_true` if `mask` is true, else `when_false`, lane by lane; both are computed.
 template <class T>
 requires std::is_arithmetic_v<T>
 constexpr T select(bool mask, T when_true, std::type_identity_t<T> when_false) {
@@ -63,12 +63,12 @@ constexpr T select(bool mask, T when_true, std::type_identity_t<T> when_false) {
 /// The truth values of comparisons of R: bool, or a mask.
 template <class R>
 using TruthOf = decltype(std::declval<R>() < std::declval<R>());
-/// 1 where the mask holds, 0 elsewhere.
+/// 1 if the mask is true, else 0, lane by lane.
 template <class R>
 constexpr CountOf<R> one_if(TruthOf<R> mask) {
   return select(mask, CountOf<R>(1U), CountOf<R>(0U));
 }
-/// True if the mask holds in any lane.
+/// True if the mask is true in any lane.
 constexpr bool any(bool mask) {
   return mask;
 }
@@ -87,8 +87,8 @@ constexpr double unbits(std::uint64_t x) {
   return std::bit_cast<double>(x);
 }
 
-/// Lane `i` of a number or SIMD vector; `set_lane` replaces it. For what cannot be done lanes at a
-/// time.
+/// Lane `i` of a number or SIMD vector; `set_lane` replaces it. For operations that cannot be
+/// vectorized.
 template <class T>
 requires std::is_arithmetic_v<T>
 constexpr T lane(T x, int /*i*/) {
@@ -99,7 +99,7 @@ requires std::is_arithmetic_v<T>
 constexpr void set_lane(T& x, int /*i*/, T value) {
   x = value;
 }
-/// The same for noise, which numbers with derivatives replace by its mean.
+/// The same for noise, which numbers with derivatives replace with its mean.
 template <class T, class Lane>
 constexpr void set_noise_lane(T& x, int i, Lane value) {
   set_lane(x, i, value);

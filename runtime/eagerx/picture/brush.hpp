@@ -12,7 +12,7 @@
 
 namespace eagerx::picture {
 
-/// From lengths to pixels.
+/// Maps lengths to pixels.
 struct Frame {
   float left = 0.0F, bottom = 0.0F;      // of the origin, in pixels from the top left
   float x_scale = 0.0F, y_scale = 0.0F;  // pixels
@@ -44,20 +44,20 @@ constexpr float swell_of(int stride) {
   return stride == 8 ? 1.0539F : stride == 4 ? 1.0130F : stride == 2 ? 1.0032F : 1.0008F;
 }
 
-/// Paints the shapes of the plane. All places are pixels, y downwards.
+/// Paints planar shapes. All coordinates are in pixels, y downward.
 template <std::size_t kMaxEdges, std::size_t kMaxWidth>
 class Brush {
  public:
   void begin(const Image& image) { image_ = image; }
   const Image& image() const { return image_; }
   void dip(const Paint& paint) { paint_ = paint; }
-  /// Paints what was added since the last time.
+  /// Paints the shapes added since the last call.
   void paint() {
     outline_.fill(image_, paint_);
     outline_.clear();
   }
 
-  /// A convex polygon, however it turns; at most kTurn + 2 points.
+  /// A convex polygon in either direction; at most kTurn + 2 points.
   void add_convex(const Point2* p, std::size_t count) {
     std::array<Fixed, kMost> fixed{};
     std::int64_t area = 0;
@@ -129,7 +129,7 @@ class Brush {
     if (closed) add_line(p[count - 1], p[0], width);
   }
 
-  /// Corners are round; `grow` moves all sides out.
+  /// Corners are round; `grow` moves all sides outward.
   void add_rectangle(const Frame& frame, const float* n, float grow, bool is_hole) {
     const float c = eagerx::cos(n[4]), s = eagerx::sin(n[4]);
     float corner = eagerx::max(n[5], 0.0F) + grow;

@@ -13,12 +13,12 @@ struct Image {
   int width = 0, height = 0, channels = 0;
 };
 
-/// A place in 1/256 of a pixel, y downwards.
+/// A position in 1/256 of a pixel, y downward.
 struct Fixed {
   std::int32_t x = 0, y = 0;
 };
 inline constexpr std::int32_t kOne = 256;
-/// Nothing is further out than this, so that products stay in 64 bits.
+/// The largest coordinate, so that products fit into 64 bits.
 inline constexpr float kFarthest = 16000.0F;
 
 constexpr std::int32_t to_fixed(float pixels) {
@@ -41,20 +41,20 @@ constexpr Paint paint_of(std::uint32_t colour, float opacity) {
           static_cast<std::int32_t>(opacity * 256.0F + 0.5F)};
   // NOLINTEND(bugprone-incorrect-roundings)
 }
-/// The grey of a colour (ITU-R BT.601).
+/// The gray value of a color (ITU-R BT.601).
 constexpr std::int32_t grey_of(const Paint& p) {
   return (77 * p.red + 150 * p.green + 29 * p.blue + 128) >> 8;
 }
 
-/// An outline of closed parts. Where parts of the same direction lie on each other it is filled
-/// once. How much of a pixel is inside is exact to 1/256, up to the rounding of a slope.
+/// An outline of closed parts. Overlapping parts with the same direction are filled once. The
+/// coverage of a pixel is exact to 1/256, except for the rounding of slopes.
 template <std::size_t kMaxEdges, std::size_t kMaxWidth>
 class Outline {
  public:
   constexpr void clear() { edges_ = 0; }
   constexpr bool has_room(std::size_t edges) const { return edges_ + edges <= kMaxEdges; }
 
-  /// A closed polygon; `forward` false turns it round. What does not fit is left out.
+  /// Adds a closed polygon; `forward` false reverses it. Edges that do not fit are left out.
   constexpr void add(const Fixed* p, std::size_t count, bool forward = true) {
     if (!has_room(count)) return;
     for (std::size_t i = 0; i < count; ++i) {
@@ -128,8 +128,8 @@ class Outline {
     return edge.x0 + static_cast<std::int32_t>((edge.slope * (y - edge.y0)) >> 16U);
   }
 
-  /// A part of an edge within one row. What is left of the picture counts at its border, what is
-  /// right of it nowhere.
+  /// A part of an edge within one row. Parts left of the picture count at its border; parts right
+  /// of it do not count.
   void add_piece(Fixed a, Fixed b, std::int32_t sign, std::int32_t limit) {
     if (a.x > b.x) {  // from left to right; the height is what counts
       const std::int32_t x = a.x;
@@ -175,7 +175,7 @@ class Outline {
       done = upto;
     }
   }
-  /// `middle`: twice the place in the cell, 0 to 512; what lies right of it is covered.
+  /// `middle`: twice the position in the cell, 0 to 512; the area right of it is covered.
   void add_cell(int c, std::int32_t height, std::int32_t middle) {
     const std::int32_t uncovered = height * middle;
     cell_[c] += height * 2 * kOne - uncovered;

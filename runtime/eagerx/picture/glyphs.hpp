@@ -1,4 +1,4 @@
-// Letters as strokes, for texts of scenes.
+// Letters as strokes, for text in scenes.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace eagerx::picture {
 
-/// A letter: how wide it is, and its strokes, one behind the other with a blank between them. A
-/// stroke is a row of points, each a digit for x and a letter for y: a is -3, d the line that
-/// letters stand on, j the height of an x, m = 9 that of an X. A stroke that begins with ~ is a
-/// curve: its points but the first and the last are where its tangents meet.
+/// A letter: its width, and its strokes, separated by blanks. A stroke is a sequence of points,
+/// each a digit for x and a letter for y: a is -3, d the baseline, j the height of an x, m = 9 that
+/// of an X. A stroke that begins with ~ is a curve: its inner points are the intersections of its
+/// tangents.
 struct Glyph {
   int width;
   std::string_view strokes;
@@ -130,7 +130,7 @@ constexpr int glyph_y(char letter) {
   return letter - 'd';
 }
 
-/// A text of a scene with its number in place: at most 18 characters and those of the number.
+/// A text of a scene with its number inserted: at most 18 characters plus those of the number.
 class Line {
  public:
   constexpr std::size_t size() const { return size_; }
@@ -139,7 +139,7 @@ class Line {
   constexpr void add(unsigned char character) {
     if (size_ < kMost) text_[size_++] = character;
   }
-  /// Rounded to `decimals`, 0 to 6. Stars where that has more than nine digits.
+  /// Rounded to `decimals`, 0 to 6. Asterisks if the result has more than nine digits.
   constexpr void add_number(float value, int decimals) {
     if (!(value == value)) return add_all("nan");
     constexpr float kLargest = 2.0e9F;

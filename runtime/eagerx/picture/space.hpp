@@ -39,7 +39,7 @@ constexpr Point3 placed(const Pose& q, Point3 p) {
   return q.at + turned(q, p);
 }
 
-/// Where things of space are on the picture.
+/// Projects points in space onto the picture.
 class Camera {
  public:
   Camera() = default;
@@ -56,7 +56,7 @@ class Camera {
 
   Point3 eye() const { return eye_; }
   float depth(Point3 p) const { return dot(p - eye_, forward_); }
-  /// False for what is behind the camera, or too near.
+  /// False for points behind the camera, or too close to it.
   bool see(Point3 p, Point2& at) const {
     const Point3 d = p - eye_;
     const float z = dot(d, forward_);
@@ -79,7 +79,7 @@ class Camera {
 };
 
 inline constexpr Point3 kToLight{0.36F, -0.48F, 0.8F};
-/// How light a surface of this normal is.
+/// Brightness of a surface with this normal.
 constexpr float light_on(Point3 normal) {
   const float towards = dot(normal, kToLight);
   return 0.62F + 0.38F * (towards > 0.0F ? towards : 0.35F * towards);
@@ -210,7 +210,7 @@ class SpacePainter {
     return size;
   }
 
-  /// A flat, convex face, if all of it is before the camera.
+  /// Paints a flat, convex face, if all of it is in front of the camera.
   void paint_face(const Point3* corners, std::size_t count, const Paint& paint) {
     Points p{};
     for (std::size_t i = 0; i < count; ++i) {
@@ -312,8 +312,8 @@ class SpacePainter {
       paint_face(rim, kSides, lit(row.ink.colour, row.ink.opacity, light_on(-1.0F * axis)));
   }
 
-  /// In the light of the side that is seen. Those that look away from the eye are behind the seams
-  /// of the others, and where the order of middles is wrong, before them.
+  /// Lit like the visible side. Facets that face away from the eye fill the seams of the others,
+  /// and may cover them if the order of centers is wrong.
   void paint_facet(const SceneRow& row) {
     Point3 p[4];
     for (int i = 0; i < 4; ++i) p[i] = facet_corner(row, i);

@@ -8,7 +8,7 @@
 
 namespace eagerx::policy {
 
-/// `Count` numbers of `x` from `First` on, without a copy.
+/// `Count` numbers of `x` starting at `First`, without a copy.
 template <std::size_t First, std::size_t Count, class R, std::size_t N>
 inline const R (&slice(const R (&x)[N]))[Count] {
   static_assert(First + Count <= N, "a slice lies inside of its value");
@@ -22,7 +22,7 @@ inline R (&front(R (&buffer)[N]))[Count] {
   return reinterpret_cast<R(&)[Count]>(buffer);
 }
 
-/// y: the numbers of all values, one value behind the other.
+/// y: the concatenated numbers of all values.
 template <class R, std::size_t M, std::size_t... N>
 inline void join(R (&y)[M], const R (&... x)[N]) {
   static_assert((N + ...) == M, "a joined value has the numbers of its parts");
@@ -34,7 +34,7 @@ inline void join(R (&y)[M], const R (&... x)[N]) {
   (add(x, N), ...);
 }
 
-/// One number goes with each of the others.
+/// A single number is combined with each of the others.
 template <std::size_t M, class R, std::size_t N>
 constexpr const R& number_for(const R (&x)[N], std::size_t i) {
   static_assert(N == M || N == 1, "values of one size, or one number");
@@ -112,7 +112,7 @@ inline void above_zero(const R (&x)[N], R (&y)[N]) {
   for (std::size_t i = 0; i < N; ++i) y[i] = eagerx::select(x[i] > R(0.0F), R(1.0F), R(0.0F));
 }
 
-/// Each row of N / M numbers becomes their sum.
+/// The sum of each row of N / M numbers.
 template <class R, std::size_t N, std::size_t M>
 inline void row_sum(const R (&x)[N], R (&y)[M]) {
   constexpr std::size_t kLength = N / M;

@@ -11,8 +11,8 @@
 
 namespace eagerx {
 
-/// A kernel that is moved over an image: torch's words. Padding is what lies before the first row
-/// and column; what lies behind the last ones follows from the size of the result.
+/// A kernel that moves over an image, in torch's terms. The padding is that before the first row
+/// and column; the padding after the last ones follows from the size of the result.
 struct Kernel {
   std::size_t channels = 1, height = 1, width = 1;  // of what is read
   std::size_t rows = 1, columns = 1;                // of the kernel
@@ -31,7 +31,7 @@ namespace policy {
 template <Kernel K>
 constexpr std::ptrdiff_t under(std::size_t down, std::size_t right, std::size_t row,
                                std::size_t column) {
-  // Unsigned: what lies before the border is very large.
+  // Unsigned: indexes before the border wrap to very large numbers.
   const std::size_t y = down * K.stride_down + row * K.dilation_down - K.pad_top;
   const std::size_t x = right * K.stride_right + column * K.dilation_right - K.pad_left;
   if (y >= K.height || x >= K.width) return -1;

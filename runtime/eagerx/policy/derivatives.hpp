@@ -81,7 +81,7 @@ void dense(const DenseWeights<In, Out>& layer, const Number (&x)[In], Number (&y
   }
   activate<A>(y, slope);
 }
-/// Of profile fast: the same here.
+/// Profile fast, which is the same here.
 template <Activation A, std::size_t In, std::size_t Out>
 void fast_dense(const DenseWeights<In, Out>& layer, const Number (&x)[In], Number (&y)[Out],
                 float slope = 0.0F) {
@@ -120,7 +120,7 @@ Message unflatten(const Number (&output)[N], std::size_t& position) {
 template <class Message>
 concept HasDerivatives = std::is_same_v<ScalarOf<Message>, Number>;
 
-/// Within the bounds of the space: at a bound without derivatives.
+/// Clipped to the bounds of the space; at a bound, derivatives are zero.
 template <HasDerivatives Message>
 Message clipped(Message action, const Space<Message>& space) {
   for (std::size_t i = 0; i < size_of<Message>; ++i) {

@@ -60,7 +60,7 @@ template <Activation A, std::size_t N>
   }
 }
 
-/// Chains of each output, so that those of `panels` panels together hide the latency of the
+/// Number of chains for each output, so that `panels` panels together hide the latency of the
 /// additions. Chain c takes the inputs c, c + chains, …; few inputs are one chain.
 constexpr std::size_t chains_of_panel(std::size_t inputs, std::size_t panels) {
   constexpr std::size_t kFew = 32;

@@ -1,4 +1,4 @@
-// The registers that policies of one environment work in.
+// The registers for the policy of a single environment.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +27,8 @@ template <class Vector>
   return v;
 }
 
-/// Keeps operations on `v` in the order of the source: compilers would finish one sum before they
-/// begin the next, and wait for each addition.
+/// Keeps operations on `v` in the order of the source: otherwise compilers finish one sum before
+/// they begin the next, and wait for each addition.
 template <class Vector>
 [[gnu::always_inline]] inline void in_order([[maybe_unused]] Vector& v) {
   if constexpr (sizeof(Vector) >= 16) {  // clang keeps shorter ones elsewhere

@@ -26,7 +26,7 @@ struct Int8Weights {
   float scale[Out];
   float b[Out];
 
-  /// Where the weight from input `in` to output `out` lives in `w`.
+  /// Index in `w` of the weight from input `in` to output `out`.
   static constexpr std::size_t index(std::size_t out, std::size_t in) {
     return policy::int8_index(In, Out, out, in);
   }

@@ -27,15 +27,16 @@ constexpr std::size_t int8_index(std::size_t inputs, std::size_t outputs, std::s
   return out / 4 * 4 * row + in / 4 * 16 + out % 4 * 4 + in % 4;
 }
 
-/// The largest rounded input: no sum of `inputs` products with weights up to 127 leaves 32 bits.
+/// The largest rounded input for which no sum of `inputs` products with weights up to 127 overflows
+/// 32 bits.
 constexpr std::int32_t int8_limit(std::size_t inputs) {
   constexpr std::int32_t kMost = 32767;
   const auto fits = static_cast<std::int32_t>(0x7fffffffU / (127U * inputs));
   return fits < kMost ? fits : kMost;
 }
 
-/// Where input `i` lies among the rounded ones. A Cortex-M4 widens the even and the odd bytes of a
-/// word, so the second and the third of four change places.
+/// Index of input `i` among the rounded ones. A Cortex-M4 widens the even and the odd bytes of a
+/// word, so the second and the third of four are swapped.
 constexpr std::size_t int8_place(std::size_t i) {
   if (EAGERX_POLICY_HALFWORDS == 0) return i;
   return (i & ~std::size_t{3}) | ((i & 1U) << 1U) | ((i >> 1U) & 1U);
@@ -91,7 +92,7 @@ constexpr std::size_t int8_place(std::size_t i) {
   std::uint32_t first;
   std::uint32_t second;
   std::uint32_t wide;
-  // The sums never overflow, so the flag that `smlad` sets is of no interest.
+  // The sums never overflow, so the flag that `smlad` sets does not matter.
   // clang-format off
 #define EAGERX_POLICY_ROW(word, sum)             \
   "sxtb16 %[wide], " word "\n"                   \

@@ -12,8 +12,8 @@
 
 namespace eagerx::policy {
 
-/// Outputs and registers of lanes at a time. What is summed of a group stays in registers, with the
-/// input; of 16 registers some of the sums do not. Measured with g++ 12.
+/// Outputs and registers of lanes at a time. The partial sums of a group and the input stay in
+/// registers; with 16 registers, some sums are spilled. Measured with g++ 12.
 #if defined(__AVX512F__) || defined(__aarch64__)
 inline constexpr std::size_t kOutputsAtATime = 8;  // 32 registers
 inline constexpr std::size_t kLaneRegisters = 1;
@@ -22,8 +22,8 @@ inline constexpr std::size_t kOutputsAtATime = 4;  // 16 registers
 inline constexpr std::size_t kLaneRegisters = 2;
 #endif
 
-/// Where weights are: that of input j for output k is w[j * step + k * output_step]. Each size is a
-/// std::size_t or a std::integral_constant.
+/// Layout of the weights: that of input j for output k is w[j * step + k * output_step]. Each size
+/// is a std::size_t or a std::integral_constant.
 template <class Inputs, class Step, class OutputStep>
 struct LaneWeights {
   const float* w;
@@ -94,7 +94,7 @@ class LaneOutputs {
     });
     each([&](auto k, auto i) { sum[k][i] = sum[k][i] + part[k][i]; });
   }
-  /// Of the last inputs, fewer than a group.
+  /// The last inputs, fewer than a group.
   template <class Weights>
   [[gnu::always_inline]] static void add_rest(const Weights& weights, const float* w,
                                               const float* x, std::size_t rows, Block& sum) {
@@ -123,8 +123,8 @@ class LaneOutputs {
   }
 };
 
-/// The output that is alone in its panel: what is left of its kChains sums once they are added in
-/// halves until `Left` of them are there. Depth first, so that few are there at a time.
+/// The output that is alone in its panel: adds its kChains sums in halves until `Left` of them
+/// remain. Depth first, so that few are live at a time.
 template <class Real>
 class LaneOutputAlone {
  public:
@@ -151,7 +151,7 @@ class LaneOutputAlone {
     if (k < inputs) sum = Real(w[k]) * Real::load(x + k * kLength);
     for (std::size_t j = k + kChains; j < inputs; j += kChains)
       sum = sum + Real(w[j]) * Real::load(x + j * kLength);
-    // A last group of fewer numbers is full of zeros.
+    // The last group is padded with zeros.
     const std::size_t rest = inputs % kChains;
     if (inputs > kChains && rest > 0 && k >= rest) sum = sum + Real(0.0F);
     return sum;

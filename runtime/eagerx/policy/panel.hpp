@@ -17,7 +17,7 @@
 
 namespace eagerx::policy {
 
-/// The sum of `y`: groups of kGroup, each summed from its first number on.
+/// The sum of `y` in groups of kGroup, each summed from its first number.
 template <class R, std::size_t N>
 constexpr R grouped_sum(const R (&y)[N]) {
   R sum(0.0F);

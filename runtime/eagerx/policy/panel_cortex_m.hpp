@@ -155,8 +155,8 @@ namespace eagerx::policy {
   return sum;
 }
 
-/// The same for `In` inputs, the last of which fill no block. A function of its own: its numbers
-/// need no registers in addition to those of the layers.
+/// The same for `In` inputs, the last of which do not fill a block. A separate function, so that
+/// its numbers do not occupy registers of the layers.
 template <std::size_t In>
 [[gnu::noinline]] float sum_with_rest(const float* w, const float* x) {
   float last[kChains];
@@ -198,8 +198,8 @@ inline void tail_panel(const float* w, const float* b, const float* x, float* y)
 #undef EAGERX_POLICY_RELU
 }
 
-/// y = tanh(y) with eagerx::tanh's operations and bits; a third of its instructions is about where
-/// numbers are kept, and NaN passes through by itself.
+/// y = tanh(y) with eagerx::tanh's operations and bits. A third of its instructions move data; NaN
+/// passes without extra code.
 [[gnu::noinline]] inline void tanh_range(float* y, std::size_t count) {
   static constexpr float kConstants[7] = {detail::HyperbolicConstants<float>::kTanhIsOne,
                                           2.0F * detail::ExponentialConstants<float>::kLog2E,

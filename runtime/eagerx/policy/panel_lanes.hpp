@@ -10,12 +10,11 @@
 
 namespace eagerx::policy {
 
-/// Registers of sums at a time: as many as hide the latency of the additions. They need not fit
-/// into the machine's registers together with the sums of a group, which are used more often.
+/// Registers of sums at a time: enough to hide the latency of the additions. They need not fit into
+/// the machine's registers together with the sums of a group, which are used more often.
 inline constexpr std::size_t kRegistersAtATime = 8;
-/// The same for layers larger than the first cache: each panel is a place of its own in memory, and
-/// the second cache delivers fastest from few of them. Narrower registers wait for the sums
-/// instead.
+/// The same for layers larger than the first cache: each panel is a separate stream from memory,
+/// and the second cache delivers few streams fastest. Narrower registers wait for the sums instead.
 #if defined(__AVX__)
 inline constexpr std::size_t kRegistersBeyondCache = 2;
 #else
@@ -196,7 +195,8 @@ template <std::size_t In, std::size_t Panels, Activation A>
   }
 }
 
-// A function that stays one and takes in all that it calls, so that numbers stay in registers.
+// A function that is not inlined, and inlines everything it calls, so that numbers stay in
+// registers.
 #if defined(__clang__)
 #define EAGERX_POLICY_ALONE gnu::noinline, gnu::flatten
 #else

@@ -25,7 +25,7 @@ struct GruMemory {
 };
 
 /// r = sigmoid(Wr x + Ur h), z = sigmoid(Wz x + Uz h), n = tanh(Wn x + r (Un h)), each product with
-/// its bias; h = n + z (h - n) is remembered and is the result. `x` and `y` must not overlap.
+/// its bias; h = n + z (h - n) is the new state and the result. `x` and `y` must not overlap.
 template <class R, std::size_t In, std::size_t Hidden,
           template <std::size_t, std::size_t> class Layer>
 inline void gru(const GruWeights<In, Hidden, Layer>& layer, const R (&x)[In],
@@ -62,8 +62,8 @@ struct LstmMemory {
   R c[Hidden];
 };
 
-/// i, f, o = sigmoid(W x + U h), g = tanh(Wg x + Ug h), each product with its bias;
-/// c = f c + i g and h = o tanh(c) are remembered, h is the result. `x` and `y` must not overlap.
+/// i, f, o = sigmoid(W x + U h), g = tanh(Wg x + Ug h), each product with its bias; c = f c + i g
+/// and h = o tanh(c) are the new state, and h is the result. `x` and `y` must not overlap.
 template <class R, std::size_t In, std::size_t Hidden,
           template <std::size_t, std::size_t> class Layer>
 inline void lstm(const LstmWeights<In, Hidden, Layer>& layer, const R (&x)[In],

@@ -92,7 +92,7 @@ inline void apply(const Simd<float, Lanes> (&x)[N], Simd<float, Lanes> (&y)[N],
   activate<A>(y, slope);
 }
 
-/// evaluate(x, y) of plain numbers, one lane after the other: layers that have no other way.
+/// Calls evaluate(x, y) of plain numbers lane by lane, for layers that cannot be vectorized.
 template <std::size_t Lanes, std::size_t In, std::size_t Out, class Evaluate>
 inline void lane_by_lane(const Simd<float, Lanes> (&x)[In], Simd<float, Lanes> (&y)[Out],
                          Evaluate&& evaluate) {

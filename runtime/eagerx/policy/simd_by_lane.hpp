@@ -1,5 +1,5 @@
-// Layers over SIMD vectors that are computed for one lane after the other: weights of eight bits,
-// convolutions, pools, profile fast.
+// Layers over SIMD vectors that are computed lane by lane: weights of eight bits, convolutions,
+// pools, profile fast.
 #pragma once
 
 #include <cstddef>

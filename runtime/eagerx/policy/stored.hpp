@@ -1,5 +1,5 @@
-// Tables of a large policy as bytes of a file next to its header: the assembler copies them, and
-// the compiler reads no numbers.
+// Tables of a large policy as bytes in a file next to its header: the assembler includes them, so
+// that the compiler need not parse numbers.
 #pragma once
 
 #include <bit>
@@ -8,8 +8,8 @@ static_assert(std::endian::native == std::endian::little,
               "the tables of a large policy are little-endian numbers; "
               "`eagerx-gen generate --standalone` writes them as text");
 
-// A section for each table, as for an inline variable: linkers leave it out if nothing needs it,
-// and keep it once if several files include the header.
+// A section for each table, as for an inline variable: linkers drop it if it is unused, and keep
+// one copy if several files include the header.
 #ifdef __wasm__
 #define EAGERX_STORED_SECTION(symbol)           \
   ".section .rodata." symbol ",\"G\",@," symbol \
@@ -24,8 +24,8 @@ static_assert(std::endian::native == std::endian::little,
 #define EAGERX_STORED_END ".popsection\n"
 #endif
 
-/// Defines the variable that linkers call `symbol`: `size` bytes of `file` from `offset` on. Where
-/// files are optimized together (-flto), the assembler gets this several times.
+/// Defines the variable with the linker symbol `symbol`: `size` bytes of `file` from `offset` on.
+/// With -flto, the assembler may see this several times.
 #define EAGERX_STORED_TABLE(symbol, file, offset, size)                                   \
   asm(".ifndef " symbol                                                                   \
       "\n" EAGERX_STORED_SECTION(symbol) ".weak " symbol                                  \

@@ -1,4 +1,4 @@
-// Threads in addition to the one that steps.
+// Threads other than the one that steps.
 #pragma once
 
 #include <csignal>
@@ -7,8 +7,8 @@
 
 namespace eagerx::host {
 
-/// Threads that are made while it lives get no signals but those of their own crashes: all others
-/// are for the one that sleeps until the next step.
+/// Threads created during its lifetime receive only signals of their own crashes: all others go to
+/// the thread that sleeps until the next step.
 class NoSignals {
  public:
   NoSignals() {

@@ -6,7 +6,7 @@
 
 namespace eagerx::host {
 
-/// Cells of a line, as they stand there; what is between quotes is one.
+/// Raw cells of a line; quoted text is one cell.
 inline std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells;
   bool is_quoted = false;

@@ -1,4 +1,4 @@
-// Which program writes a file: two that write one would mix or replace each other's results.
+// Claims a file for one program: two writers would mix or overwrite each other's results.
 #pragma once
 
 #include <string>

@@ -7,7 +7,7 @@
 
 namespace eagerx::host {
 
-/// The word for a count: `one`, or `many`, which is `one` with an s unless it is given.
+/// The word for a count: `one`, or `many`, by default `one` with an s.
 inline std::string noun(std::uint64_t count, std::string_view one, std::string_view many = {}) {
   if (count == 1) return std::string(one);
   return many.empty() ? std::string(one) + "s" : std::string(many);

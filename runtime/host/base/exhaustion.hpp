@@ -3,8 +3,8 @@
 
 namespace eagerx::host {
 
-/// From now on it says so, makes safe and ends with exit code 3, as where a file cannot be written;
-/// it would be aborted otherwise.
+/// Makes the program report exhaustion, make hardware safe and end with exit code 3, as if a file
+/// cannot be written, instead of aborting.
 void end_when_exhausted();
 
 }  // namespace eagerx::host

@@ -1,4 +1,4 @@
-// The files that programs write for their users. Errors are those of errno, 0 without one.
+// Files that programs write for their users. Errors are values of errno, 0 if there is none.
 #pragma once
 
 #include <sys/stat.h>
@@ -11,18 +11,18 @@
 
 namespace eagerx::host {
 
-/// Whether what is written is on the disk, or on its way there.
+/// Whether written data is on the disk, or may still be cached.
 enum class Durability : std::uint8_t { synced, cached };
 
-/// A file that is there as a whole or not at all. It is written next to the one that `path` leads
-/// to by links, with a random name that nothing had, and with owner and mode of the one it
-/// replaces. What cannot be replaced so is written into: a device, a FIFO, a file of another owner
-/// or in a folder that takes no new files. A file without write permission is refused, for root
+/// A file that is written completely or not at all. It is written next to the file that `path`
+/// resolves to, with a new random name, and with owner and mode of the file it replaces. Targets
+/// that cannot be replaced are written in place: a device, a FIFO, a file of another owner, or one
+/// in a folder that accepts no new files. A file without write permission is rejected, for root
 /// too.
 class AtomicFile {
  public:
   explicit AtomicFile(std::string path);
-  /// Removes what was not put.
+  /// Removes a draft without put().
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -33,7 +33,7 @@ class AtomicFile {
   /// Makes an empty file that another program writes: name(), which ends with `ending`.
   [[nodiscard]] int make(std::string_view ending);
   const std::string& name() const { return draft_.empty() ? path_ : draft_; }
-  /// From now on the file is what was written.
+  /// Replaces the file with the written one.
   [[nodiscard]] int put();
   /// The same only where the file has the text `expected` (nothing: where no file is). ECANCELED:
   /// it has another one, which stays. The two are exchanged, and back again if another program was
@@ -57,18 +57,17 @@ class AtomicFile {
 [[nodiscard]] int write_whole(const std::string& path, std::string_view bytes,
                               Durability durability = Durability::synced);
 
-/// Removes the drafts of `path` that killed programs left behind. A AtomicFile does so itself.
+/// Removes the drafts of `path` that killed programs left behind. An AtomicFile does this itself.
 void remove_left_drafts(const std::string& path);
 
-/// The name behind all links, where there may be nothing yet.
+/// The path after resolving all links, which need not exist.
 std::string behind_links(const std::string& path);
 
 /// The file that a AtomicFile of `path` would replace. Changes nothing, and opens no device and no
 /// FIFO.
 [[nodiscard]] int problem_of_output(const std::string& path);
 
-/// Whether a AtomicFile replaces what is there. Into anything else, such as a FIFO, all is written
-/// once.
+/// Whether an AtomicFile replaces the target. Other targets, such as a FIFO, are written in place.
 bool is_replaced_by_output(const std::string& path);
 
 /// Whether something of this kind is written at all: no folder, socket or disk, and no file that
@@ -81,7 +80,7 @@ std::string problem_of_writing(int error);
 /// For programs that read a file, change it and put a AtomicFile in its place: one at a time.
 class FileLock {
  public:
-  /// Waits for at most ten seconds. `makes`: an empty file if there is none.
+  /// Waits up to ten seconds. `makes`: creates an empty file if there is none.
   explicit FileLock(const std::string& path, bool makes = true);
   ~FileLock();
   FileLock(const FileLock&) = delete;
@@ -96,7 +95,7 @@ class FileLock {
   int error_ = 0;
 };
 
-/// Where people send what they do not want.
+/// Whether it is /dev/null, for unwanted output.
 bool is_dev_null(const struct stat& status);
 
 /// Opens descriptors 0 to 2 on /dev/null where they are closed, so that no other file becomes one

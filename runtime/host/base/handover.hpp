@@ -9,14 +9,15 @@ namespace eagerx::host {
 
 /// The hash of the graph that was built, as hex_text() writes it.
 inline constexpr const char* kExpectedGraph = "EAGERX_EXPECTED_GRAPH";
-/// Descriptors of folders that nothing else builds in as long as they are open: "5,7".
+/// Descriptors of locked build folders: no other process builds there while they are open. "5,7"
 inline constexpr const char* kOutputLocks = "EAGERX_OUTPUT_LOCKS";
 
-/// The problem if another graph is expected than this one, whose hash is `graph`; empty if
-/// nothing is. Asks once: what this program starts is something else.
+/// The problem if another graph than this one, with the hash `graph`, is expected; otherwise empty.
+/// Reads the variable once, and removes it, because programs that this one starts are not
+/// concerned.
 std::string problem_of_graph(std::string_view graph);
 
-/// Closes the folders. They are not needed any more once what was built is open.
+/// Closes the folders, which are no longer needed once the built files are open.
 void release_output_locks();
 
 }  // namespace eagerx::host

@@ -1,4 +1,4 @@
-// Signals: every way to stop a program that a signal handler can see is a safe one.
+// Signals: every signal that can be caught stops a program safely.
 #pragma once
 
 #include <atomic>
@@ -7,23 +7,23 @@
 
 namespace eagerx::host {
 
-/// Whether somebody wants the end. Set by a signal, read by all threads.
+/// Whether the run must end. Set by a signal, read by all threads.
 using Interrupt = std::atomic<bool>;
 static_assert(Interrupt::is_always_lock_free);  // a handler of signals may write it
 
 /// The effect of a second signal of a kind: the default one, or none.
 enum class Second : std::uint8_t { ends, does_nothing };
 
-/// For programs that nothing waits for: from now on `signals` set what is returned, and
-/// interrupted(). Where the second one does nothing, a system call that waits ends early.
+/// For programs without deadlines: from now on, `signals` set the returned flag, and interrupted().
+/// If the second signal has no effect, a waiting system call ends early.
 const Interrupt& watch_interrupts(std::initializer_list<int> signals, Second second);
 
 /// From now on signals that would end the program set a flag, and the run ends after the current
 /// step, or slot of a reset that waits for something. A second Ctrl-C within a second does nothing
-/// more; a later one makes safe (see on_stop) and ends the program at once. Those that would stop
-/// it (Ctrl-Z) wait for stop_if_requested(). A crash makes safe and then is what it was. A closed
-/// pipe and a file that is too large are write errors. What the caller has ignored stays ignored,
-/// but for SIGINT and SIGTERM. To be called by the main thread, before others begin.
+/// more; a later one makes safe (see on_stop) and ends the program at once. Signals that would stop
+/// it (Ctrl-Z) wait for stop_if_requested(). A crash makes safe, and then takes its default effect.
+/// A closed pipe and a file that is too large are write errors. Signals that the caller ignores
+/// stay ignored, except SIGINT and SIGTERM. Call it from the main thread, before others begin.
 void catch_interrupts();
 
 /// Written by handlers of signals.
@@ -38,8 +38,8 @@ void on_gone(bool (*is_gone)(void*), void* context);
 /// For resets: whether the run is to end, or to stop.
 bool ends_reset();
 
-/// How actuators are made safe outside of a step: before the program is stopped, in a crash, at a
-/// second Ctrl-C. nullptr: there are none.
+/// Sets the function that makes actuators safe outside of a step: before the program is stopped, in
+/// a crash, at a second Ctrl-C. nullptr: no actuators.
 void on_stop(void (*make_safe)(void*), void* context);
 
 /// Does so now, for the main thread.
@@ -73,7 +73,7 @@ class MadeSafe {
 }  // namespace eagerx::host
 
 extern "C" {
-/// Whether a signal wants the run to end or to stop: for resets of hardware, which know nothing of
-/// targets.
+/// Whether a signal requests the run to end or to stop: for resets of hardware, which do not depend
+/// on targets.
 bool eagerx_is_interrupted();
 }

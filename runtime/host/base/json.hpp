@@ -8,7 +8,7 @@
 
 namespace eagerx::host {
 
-/// Foreign text as a string of JSON, behind `to`. What is not UTF-8 stays as it is.
+/// Appends foreign text as a JSON string to `to`. Invalid UTF-8 is unchanged.
 void append_json_string(std::string& to, std::string_view text);
 
 /// Writes JSON; the caller opens and closes. Commas come by themselves.

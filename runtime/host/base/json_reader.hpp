@@ -1,4 +1,4 @@
-// JSON that somebody else has written: a client of a server, a library, another program.
+// Reads untrusted JSON: from a server's client, a library, another program.
 #pragma once
 
 #include <cstddef>
@@ -27,9 +27,9 @@ struct JsonValue {
 inline constexpr int kDeepestJson = 16;
 inline constexpr std::size_t kMostJsonValues = 20'000;
 
-/// A whole text of JSON (RFC 8259); nullopt if it is none, is nested deeper than kDeepestJson, or
-/// has more than `most_values`. Numbers are the nearest double, and none that is beyond
-/// all of them. Text in strings is taken as it is, but for its escapes.
+/// Parses a JSON text (RFC 8259); nullopt if it is invalid, is nested deeper than kDeepestJson, or
+/// has more than `most_values`. Numbers become the nearest double; numbers beyond the range of
+/// double are invalid. Strings are taken unchanged, except for escapes.
 std::optional<JsonValue> read_json(std::string_view text,
                                    std::size_t most_values = kMostJsonValues);
 

@@ -1,4 +1,4 @@
-// Functions of libraries that are opened while a program runs, so that it also runs without them.
+// Functions of libraries that a program opens at run time, so that it also runs without them.
 #pragma once
 
 #include <dlfcn.h>

@@ -1,4 +1,4 @@
-// Of some names, the one that was probably meant.
+// Finds the name that was probably meant.
 #pragma once
 
 #include <string>
@@ -8,8 +8,7 @@
 namespace eagerx::host {
 
 /// The name with the fewest letters left out, added, replaced or swapped, at most a third of them,
-/// whatever their case; of several, the one that is nearest with its case, then the first. Empty if
-/// none is near.
+/// ignoring case; of several, the nearest one with case, then the first. Empty if none is near.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
 /// The name that is spelled with other separators: `robot.body.mass` and `robot/body/mass` are
@@ -31,7 +30,7 @@ struct Named {
   std::string name, of;
   bool accepted = true;
 };
-/// The same for what has several names: the `of` that they agree on. Null if there is none.
+/// The same for elements with several names: the `of` on which they agree. Null if there is none.
 const std::string* name_meant(std::string_view name, const std::vector<Named>& known);
 /// "did you mean `…`?" with the `of` of the nearest name; "it may be A, B" of several that have its
 /// parts; or "available: A, B, C".

@@ -1,4 +1,4 @@
-// Numbers as text that reads back to the same bits, whatever the locale.
+// Numbers as text that reads back to the same bits in any locale.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ std::string number_text(T value) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
-/// All of `text` as a number of this type, into `value`; false leaves it as it is. "inf" and "nan"
-/// are real numbers, too.
+/// Parses all of `text` as a number of this type into `value`; false leaves it unchanged. "inf" and
+/// "nan" are valid for floating-point types.
 template <class T>
 bool read_number(std::string_view text, T& value) {
   T read{};
@@ -27,7 +27,7 @@ bool read_number(std::string_view text, T& value) {
   return true;
 }
 
-/// All of `text` as a number from `low` to `high`, into `value`; false leaves it as it is.
+/// Parses all of `text` as a number from `low` to `high` into `value`; false leaves it unchanged.
 template <class T>
 bool read_number(std::string_view text, T low, T high, T& value) {
   T read{};
@@ -36,8 +36,9 @@ bool read_number(std::string_view text, T low, T high, T& value) {
   return true;
 }
 
-/// The double that is written as the float32 is, 0.05 for 0.05F: what is set is what a command line
-/// or a graph with the same digits sets. A delay of 0.05F exactly would be longer than 0.05 s.
+/// The double with the same decimal as the float32, 0.05 for 0.05F, so that it equals a value with
+/// the same digits on a command line or in a graph. A delay of exactly 0.05F would be longer than
+/// 0.05 s.
 inline double same_decimal(float x) {
   double result = x;
   static_cast<void>(read_number(number_text(x), result));

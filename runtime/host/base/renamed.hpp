@@ -1,6 +1,6 @@
-// Names in files and on command lines that have changed, as data: the one table of old and new
-// names. Errors suggest the new name, `eagerx-gen fix` writes it, and files that a program has
-// written (checkpoints, records, tables) are read with both.
+// The table of old and new names in files and on command lines. Errors suggest the new name,
+// `eagerx-gen fix` writes it, and files that a program has written (checkpoints, records, tables)
+// may contain either.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace eagerx::host {
 
-/// The kind of thing that a name denotes. A key of a file has the title that messages give its
-/// mapping.
+/// The kind of thing that a name denotes. For a key of a file, the title of its mapping in
+/// messages.
 inline constexpr std::string_view kAnyMapping = "";  // that has the new name
 inline constexpr std::string_view kTrainSettings = "settings of a training";
 inline constexpr std::string_view kTrainOptions = "options of train";

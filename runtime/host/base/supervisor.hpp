@@ -1,5 +1,5 @@
-// A process next to a program that drives hardware: it makes that safe if the program is killed, or
-// stands still.
+// A process that supervises a program that drives hardware: it makes the hardware safe if the
+// program is killed or hangs.
 #pragma once
 
 #include <sys/types.h>
@@ -8,22 +8,22 @@
 
 namespace eagerx::host {
 
-/// As long as it lives. What no handler of signals sees (SIGKILL, SIGSTOP, a loop without an end)
-/// leaves outputs as they were: an adapter holds its last voltage. The other process waits for it,
-/// ends a program that sends no heartbeat for too long, calls `take_over(context)` in its copy
-/// of the program as it was here, and ends. It is in a session of its own, and no signal but
-/// SIGKILL ends it. To be made before hardware is opened; there is one at a time.
+/// Supervises the program during its lifetime. Events that no signal handler sees (SIGKILL,
+/// SIGSTOP, an endless loop) leave outputs unchanged: an adapter holds its last voltage. The other
+/// process waits for such an event, kills a program without a heartbeat for too long, calls
+/// `take_over(context)` in its copy of the program at this point, and ends. It has its own session,
+/// and only SIGKILL ends it. Create it before opening hardware; only one may exist at a time.
 class Supervisor {
  public:
   /// Makes safe. False: it could not.
   using TakeOver = bool (*)(void*);
 
-  /// nullptr: there is nothing to make safe. `most_silent_ns`: how long the program may give no
-  /// heartbeat, from the first one on; 0: for ever. It is noticed at most a sixteenth later.
+  /// nullptr: nothing to make safe. `most_silent_ns`: the maximum time without a heartbeat, after
+  /// the first one; 0: forever. Detected at most a sixteenth later.
   Supervisor(TakeOver take_over, void* context, std::int64_t most_silent_ns);
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
-  /// All is safe: it is not needed any more.
+  /// Ends the supervisor, because everything is safe.
   ~Supervisor();
 
  private:
@@ -40,7 +40,7 @@ void send_heartbeat();
 /// It waits on purpose until then on CLOCK_MONOTONIC.
 void say_asleep_until(std::int64_t ns);
 
-/// As long as it lives, the program may stand still: it is safe.
+/// During its lifetime, the program may hang, because it is safe.
 class WatchdogPause {
  public:
   WatchdogPause();
@@ -52,6 +52,6 @@ class WatchdogPause {
 }  // namespace eagerx::host
 
 extern "C" {
-/// say_asleep_until(), for clocks of hardware, which know nothing of targets.
+/// say_asleep_until(), for clocks of hardware, which do not depend on targets.
 void eagerx_sleeps_until(std::int64_t ns);
 }

@@ -79,7 +79,7 @@ bool TextFile::open(const std::string& path, Writing writing) {
 
 bool TextFile::open(int descriptor, Writing writing) {
   descriptor_ = descriptor;
-  // What poll() promises of a pipe; a file on a disk takes everything.
+  // poll() guarantees room for PIPE_BUF bytes in a pipe; a file on a disk takes everything.
   struct stat status {};
   const bool is_regular = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
   most_at_once_ = is_regular ? kBufferBytes : std::size_t{PIPE_BUF};

@@ -1,4 +1,4 @@
-// Text output that allocates once, when it is opened, and knows no locale.
+// Text output that allocates only when it is opened, and ignores the locale.
 #pragma once
 
 #include <semaphore.h>
@@ -17,14 +17,13 @@
 
 namespace eagerx::host {
 
-/// Who waits for the disk: the caller, when a buffer is full, or a thread of the file's own. The
-/// caller then waits only when all of kBackgroundBuffers are full.
-/// In real time no wait is long: a reader that is too slow is an error.
+/// Where the wait for the disk happens: in the caller, when a buffer is full, or in a thread of the
+/// file; the caller then waits only when all kBackgroundBuffers are full. In real time, no wait is
+/// long: a reader that is too slow is an error.
 enum class Writing : std::uint8_t { direct, background, real_time };
 
-/// A count that a thread waits for. Its waits ask the kernel for the time, so they do not touch the
-/// clock that a run is paced by, which may be emulated; the clock of the day would make them as
-/// long as it is set back.
+/// A count that a thread waits for. Waits use the kernel's time, not the clock that paces a run,
+/// which may be emulated; the time of day would lengthen waits when it is set back.
 class Signal {
  public:
   Signal() { sem_init(&semaphore_, 0, 0); }
@@ -49,24 +48,24 @@ class TextFile {
   TextFile& operator=(const TextFile&) = delete;
   ~TextFile();
 
-  /// Creates `path`, or takes the standard output for "-". What is in a file that exists stays
-  /// until something replaces it. A FIFO without a reader is refused (ENXIO), and so
-  /// is what takes_output() refuses (EINVAL, EACCES). False if that is not possible; see error().
+  /// Creates `path`, or uses the standard output for "-". An existing file keeps its contents until
+  /// they are replaced. Rejects a FIFO without a reader (ENXIO), and targets that takes_output()
+  /// rejects (EINVAL, EACCES). False if it cannot be opened; see error().
   bool open(const std::string& path, Writing writing = Writing::direct);
-  /// Writes to what is open already, and will be closed by somebody else.
+  /// Writes to an open descriptor, and does not close it.
   bool open(int descriptor, Writing writing);
   bool is_open() const { return descriptor_ >= 0; }
   /// Whether both write into one file of a disk, each over the other.
   bool is_same_file(const TextFile& other) const;
-  /// Whether `path` is the file of a disk that this writes into, by whatever name.
+  /// Whether `path` is the disk file that this writes to, by any name.
   bool is_same_file(const std::string& path) const;
-  /// Keeps everybody else who asks so, or claims it (claim.hpp), from this file of a disk, in this
-  /// process and in others, until close() or discard(). False if somebody was first.
+  /// Reserves this disk file against other reserve() calls and claims (claim.hpp), in this process
+  /// and in others, until close() or discard(). False if it is already reserved or claimed.
   bool reserve();
-  /// Writes what is left. False if anything was lost; see error().
+  /// Writes the rest. False if anything was lost; see error().
   bool close();
-  /// As if it had never been opened, as long as no buffer was full: what was in the file is still
-  /// there, and a new one is removed.
+  /// Undoes open() if no buffer has been written: an existing file keeps its contents, and a new
+  /// one is removed.
   void discard();
   bool failed() const { return error() != 0; }
   /// errno of the first failure, 0 without one; ETIMEDOUT: the reader was too slow in real time, or

@@ -1,4 +1,4 @@
-// A pool of threads that run one job together, again and again.
+// A pool of threads that run one job together, repeatedly.
 #pragma once
 
 #include <sys/types.h>
@@ -33,8 +33,8 @@ class ThreadPool {
   /// False in a process that fork() made, where only the caller lives.
   bool is_complete() const { return threads_.empty() || is_in_its_process(); }
 
-  /// job(i) for each i < `members`, at once; returns when all have returned, and throws what one of
-  /// them has thrown. 1 <= members <= size().
+  /// Calls job(i) for each i < `members` in parallel; returns when all have returned, and rethrows
+  /// an exception of one of them. 1 <= members <= size().
   template <class Job>
   void run(unsigned members, Job&& job) {
     if (members == 1) return job(0U);
@@ -44,9 +44,10 @@ class ThreadPool {
     wait_for(members - 1);
     end();
   }
-  /// job(0), and job(i) for those i < `members` that come before job(0) has returned: on a busy
-  /// machine a core may be free only when nothing is left to do. So each must take what is left
-  /// until nothing is. Returns when all that have come have returned; throws as run() does.
+  /// Calls job(0), and job(i) for those i < `members` whose threads start before job(0) has
+  /// returned: on a busy machine, a core may become free only when no work is left. So each job
+  /// must take work until none is left. Returns when all started jobs have returned; throws like
+  /// run().
   template <class Job>
   void share(unsigned members, Job&& job) {
     if (members == 1) return job(0U);

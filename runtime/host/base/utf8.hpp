@@ -1,4 +1,4 @@
-// UTF-8 by hand.
+// UTF-8 without the C library.
 #pragma once
 
 #include <cstddef>

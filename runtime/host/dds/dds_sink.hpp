@@ -10,8 +10,8 @@
 
 namespace eagerx::dds {
 
-/// In a program that was built without Cyclone DDS, its open() says so. `said`: what the user
-/// wrote. `chosen`: [channels] which of them are topics.
+/// In a program built without Cyclone DDS, open() reports that. `said`: the user's text. `chosen`:
+/// [channels] which of them are topics.
 std::unique_ptr<publish::PublishSink> topic_sink(const Network& to, std::string said,
                                                  const publish::PublishedChannels& channels,
                                                  const Graph& graph, std::vector<bool> chosen);

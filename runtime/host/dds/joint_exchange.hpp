@@ -1,4 +1,4 @@
-// Messages sensor_msgs/JointState between this program and others of this machine.
+// Exchanges sensor_msgs/JointState messages with other programs on this machine.
 #pragma once
 
 #include <cstddef>
@@ -23,25 +23,25 @@ class JointExchange {
   using Take = std::function<void(Stamp time, std::span<const double> positions)>;
 
   virtual ~JointExchange() = default;
-  /// Joins `domain`, where nothing of another machine is taken. `inputs`: topics to read. Empty, or
-  /// what is wrong.
+  /// Joins `domain`, without accepting messages from other machines. `inputs`: topics to read.
+  /// Empty, or the problem.
   virtual std::string open(std::uint32_t domain, const std::vector<std::string>& inputs,
                            const std::vector<Output>& outputs) = 0;
-  /// Somebody writes each input, and reads an output.
+  /// Whether each input has a writer, and an output a reader.
   virtual bool is_there() const = 0;
-  /// `positions`: [n · size] of output `output`, which has names if n is 1. False: there is no room
-  /// for the message, as long as earlier ones are in flight.
+  /// `positions`: [n · size] of output `output`, which has names if n is 1. False if there is no
+  /// room for the message while earlier ones are in flight.
   virtual bool write(std::size_t output, Stamp time, std::string& frame,
                      std::span<double> positions) = 0;
   /// Calls `take` for messages that have come.
   virtual void read(std::size_t input, const Take& take) = 0;
   /// Until a message comes, or for `most_ns`.
   virtual void wait(std::int64_t most_ns) = 0;
-  /// Inputs that somebody writes with another type, since the last call: DDS does not connect us.
+  /// Inputs with a writer of another type since the last call, which DDS does not connect.
   virtual std::vector<std::string> strangers() = 0;
 };
 
-/// In a program that was built without Cyclone DDS, its open() says so.
+/// In a program built without Cyclone DDS, open() reports that.
 std::unique_ptr<JointExchange> joint_exchange();
 
 }  // namespace eagerx::dds

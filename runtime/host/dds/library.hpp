@@ -1,5 +1,5 @@
-// Cyclone DDS: its headers where a program is built, and the library where it runs, if it speaks by
-// DDS. Inside dds/ only.
+// Cyclone DDS: a build needs its headers, and a program that uses DDS needs the library at run
+// time. Inside dds/ only.
 #pragma once
 
 #include <dds/dds.h>
@@ -36,7 +36,7 @@ struct Functions {
   decltype(&dds_strretcode) strretcode;
 };
 
-/// Null, and what is wrong in `problem`: the library is not there.
+/// Null and a `problem` if the library is missing.
 const Functions* library(std::string& problem);
 
 }  // namespace eagerx::dds

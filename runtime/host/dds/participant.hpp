@@ -1,4 +1,4 @@
-// A program as one of those that speak with DDS.
+// The program as a DDS participant.
 #pragma once
 
 #include <cstdint>
@@ -24,15 +24,15 @@ class Participant {
   Participant& operator=(const Participant&) = delete;
   ~Participant();
 
-  /// Empty, or what is wrong. With `alone` the user's CYCLONEDDS_URI does not count, and nothing of
-  /// another machine is taken.
+  /// Empty, or the problem. With `alone`, ignores the user's CYCLONEDDS_URI, and accepts nothing
+  /// from other machines.
   std::string open(const Network& network, bool alone);
-  /// How far away readers can be, if that is beyond this machine; else empty.
+  /// The network within reach, if readers can be beyond this machine; otherwise empty.
   std::string reach() const { return reach_; }
 
   const Functions& functions() const { return *functions_; }
   Entity id() const { return id_; }
-  /// Below 0: there is none, and problem() says why.
+  /// Below 0 after an error; see problem().
   Entity writer(const TopicType& type, const std::string& topic, Promise promise);
   Entity reader(const TopicType& type, const std::string& topic, Promise promise);
   std::string problem(Entity error, const std::string& topic) const;

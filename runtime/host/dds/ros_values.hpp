@@ -39,7 +39,7 @@ Std<One, Many> std_of(const dds::TopicType& one, const dds::TopicType& many) {
   return {one, many};
 }
 
-/// f(Std<…>) for what elements of this type are.
+/// Calls f(Std<…>) for this type of elements.
 template <class F>
 void with_dtype(trace_log::Dtype dtype, F&& f) {
   switch (dtype) {

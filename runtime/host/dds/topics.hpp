@@ -28,7 +28,7 @@ struct Topic {
   std::string frame;  // the object, of those with a header
 };
 
-/// The description of a channel besides its messages.
+/// The description of a channel, without its messages.
 struct Port {
   std::string channel;
   std::string name;  // as graphs call it: "smooth.filtered", "pendulum.theta", "actions.u"
@@ -49,7 +49,7 @@ std::string topic_of_environment(std::string_view graph, std::string_view kind,
 
 /// Those of all channels, in their order.
 std::vector<Topic> topics_of(const Graph& graph);
-/// Empty, or what is wrong with their names.
+/// Empty, or the problem of their names.
 std::string problem_of_names(const std::vector<std::string>& names);
 
 /// "rgb8" of [height, width, 3], "mono8" of [height, width]; null: no image.

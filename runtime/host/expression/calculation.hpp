@@ -1,4 +1,4 @@
-// A typed expression that is calculated in a loop: on a stack of fixed size, without allocating.
+// Evaluates a typed expression in a loop: on a stack of fixed size, without allocation.
 #pragma once
 
 #include <cstddef>
@@ -21,18 +21,18 @@ struct Read {
 
 class Calculation {
  public:
-  /// The place of what is read among the values; nullopt: there is no more room.
+  /// The index of a number among the values; nullopt if there is no more room.
   using Places = std::function<std::optional<std::size_t>(const Read& read)>;
 
   /// Why it cannot be calculated, or nothing.
   std::string prepare(const Typed& expression, const Places& places);
 
-  /// With the values at their places. A condition gives 0 or 1; a comparison with NaN is false
-  /// (`!=`: true). min and max of NaN are NaN, and so is what else is calculated from it.
+  /// The result for these values. A condition returns 0 or 1; a comparison with NaN is false (`!=`:
+  /// true). min and max of NaN are NaN, like all other results of NaN.
   double value(const double* values) const;
 
-  /// One operation on the stack: a number, a variable, or an operator or function of what lies on
-  /// it.
+  /// One operation on the stack: a number, a variable, or an operator or function of its top
+  /// elements.
   struct Step {
     Typed::Op op = Typed::Op::number;
     double number = 0.0;

@@ -1,6 +1,6 @@
-// The language of everything that is calculated from a text: what manifests require
-// (`max(cutoff_hz) < rate / 2`), arithmetic with `$(config limit)`, the task of a graph, `--until`
-// and `--measure`. README.md is its description.
+// The language of all expressions in text: requirements in manifests (`max(cutoff_hz) < rate / 2`),
+// arithmetic with `$(config limit)`, the task of a graph, `--until` and `--measure`. README.md is
+// its description.
 //
 //   or:       and, not binds tighter; `a or b and not c`
 //   compare:  < <= > >= == !=, `x in (a, b)`; not chained
@@ -8,7 +8,7 @@
 //   names:    see NameForm; an element of a list: `name[2]`
 //   calls:    function(…, …)
 //
-// What names and functions there are, and what fits together, is for those who read the tree.
+// The reader of the tree defines names, functions and types.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace eagerx::expression {
 
 class Text;
 
-/// A tree; nothing is known of its types yet.
+/// An untyped tree.
 struct Expression {
   enum class Op : std::uint8_t {
     number,
@@ -59,8 +59,9 @@ struct Expression {
 /// port: `node.port` and `engine/node.port`, with any number of parts.
 enum class NameForm : std::uint8_t { plain, dollar, port };
 
-/// The whole text as a tree; nullopt after a problem. `has_where`: what reads the tree knows
-/// `where(condition, a, b)`, for those who write a choice as other languages do.
+/// The whole text as a tree; nullopt after a problem. `has_where`: the reader of the tree supports
+/// `where(condition, a, b)`, which messages suggest for the conditional expressions of other
+/// languages.
 std::optional<Expression> parse(Text& text, NameForm names, bool has_where = false);
 
 /// Digits with an optional point and exponent, as the grammar takes them; nullopt beyond a double.

@@ -14,7 +14,7 @@ struct Function {
   std::string_view name;
   std::size_t arguments;
 };
-/// Those that work element by element, besides min, max and angle_of.
+/// The functions that work element by element, except min, max and angle_of.
 std::span<const Function> functions();
 
 /// The help for a function of another language or library, such as `np.exp` or `square`; empty if

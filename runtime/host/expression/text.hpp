@@ -10,7 +10,7 @@
 
 namespace eagerx::expression {
 
-/// A name that stands there, and the one that was probably meant; both empty: there is none.
+/// A written name, and the one that was probably meant; both empty if there is none.
 struct Mistyped {
   std::string name, meant;
 };
@@ -22,7 +22,7 @@ struct Problem {
   Mistyped mistyped = {};
 };
 
-/// After the first problem nothing can be taken any more, so that only that one is reported.
+/// After the first problem, nothing more can be read, so that only that one is reported.
 class Text {
  public:
   /// `text` must outlive it. More than 1000 characters are a problem.
@@ -30,12 +30,12 @@ class Text {
 
   [[nodiscard]] bool good() const { return !problem_; }
   [[nodiscard]] const std::optional<Problem>& problem() const { return problem_; }
-  /// Blanks aside: where the next piece begins, and whether there is none.
+  /// Skips blanks: where the next token begins, and whether there is none.
   std::size_t place();
   bool at_end();
   bool peek(char c);
   bool take(char c);
-  /// Takes `c` or reports what is there instead.
+  /// Takes `c`, or reports the actual token.
   void require(char c);
   /// Takes the name `word`.
   bool take_word(std::string_view word);
@@ -46,7 +46,7 @@ class Text {
   /// "node.port", "engine/node.port": a slash before the first dot belongs to a name if a letter
   /// follows it and it does not divide `time`.
   std::string take_port_name();
-  /// Digits, and whatever is written together with them.
+  /// Digits, and the letters attached to them.
   std::string take_number();
   std::optional<Expression::Op> take_comparison();
   /// The next token, for messages: "`name`", "the end".

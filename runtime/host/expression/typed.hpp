@@ -1,5 +1,5 @@
-// Expressions about what a run says (tasks, --until, --measure), with types: what each part is, and
-// which variables it reads.
+// Expressions about a run (tasks, --until, --measure), with the type of each part and the variables
+// that it reads.
 //
 //   names:    variables, each a number, a list of numbers, or true or false; `time` in seconds
 //             since the reset; `pi`
@@ -81,7 +81,7 @@ struct Names {
   NameForm form = NameForm::plain;
   std::function<std::string(const std::string& name)>
       help{};  // for an unknown name; empty: list the known names
-  /// If set, it gives the variable that another name means, or nothing.
+  /// If set, returns the variable that another name means, or an empty text.
   std::function<std::string(const std::string& name)> meant{};
 };
 

@@ -1,4 +1,4 @@
-// Who may read a run, and who may change it.
+// Permissions to read a run and to change it.
 #pragma once
 
 #include <runtime/host/web_socket/web_socket.hpp>
@@ -10,7 +10,7 @@ namespace eagerx::foxglove {
 using web_socket::Handshake;
 
 /// Reads `--publish-key`: a file that only its owner can read, with a key of 16 to 512 printable
-/// characters in its first line. Empty, or what is wrong.
+/// characters in its first line. Empty, or the problem.
 std::string read_key(const std::string& path, std::string& key);
 
 /// Takes as long for a wrong text as for the right one of its length.
@@ -30,14 +30,14 @@ struct Access {
     return !only_host.empty() && who.host == only_host && is_right(who);
   }
 
-  /// A wrong key is no way in; without one everybody reads.
+  /// A wrong key is rejected; without a key, everyone may read.
   bool may_read(const Handshake& who) const {
     if (!only_host.empty())
       return is_right(who) && (who.origin.empty() || who.origin == "http://" + only_host);
     return who.key.empty() || is_right(who);
   }
-  /// With a key, who presents it. Without one, programs and known pages of this machine, if nothing
-  /// real moves.
+  /// With a key, its holders. Without one, programs and known pages of this machine, unless
+  /// hardware moves.
   bool may_change(const Handshake& who) const {
     if (!key.empty()) return is_right(who);
     return is_loopback && !is_real && (who.origin.empty() || is_known_origin(who.origin));

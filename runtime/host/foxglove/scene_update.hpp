@@ -8,9 +8,9 @@
 namespace eagerx::foxglove {
 
 /// A scene of [rows][kSceneColumns] as one entity, `scene`, in the frame `world`, whose z points
-/// up. A drawing in the plane stands upright in it: its x is x, its y is z, and what is painted
-/// later lies nearer at the one who looks along y. What is placed on the picture is placed in the
-/// view of the drawing; with a camera there is none, and it is left out. So is the background.
+/// up. A planar drawing is upright: its x is x, its y is z, and later shapes are closer to a viewer
+/// who looks along y. Shapes on the screen are placed in the view of the drawing; with a camera
+/// there is no such view, and they are left out. So is the background.
 std::string scene_update(const float* scene, std::size_t rows, std::int64_t time_ns);
 
 /// JSON Schema of all that a SceneUpdate can have.

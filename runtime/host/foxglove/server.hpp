@@ -1,5 +1,5 @@
 // A server of Foxglove's WebSocket protocol: channels, the drawing, time, parameters, services. It
-// can show a page besides, which speaks the same protocol.
+// can also serve a page, which uses the same protocol.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct Site {
   std::string key;
 };
 
-/// The served data. All that it points to lives as long as the server.
+/// The served data. Everything that it points to must outlive the server.
 struct Served {
   std::string graph, engine;
   std::uint64_t graph_hash = 0;
@@ -35,7 +35,7 @@ struct Served {
 
 class Server : public publish::PublishSink {
  public:
-  /// Where it listens, once it is open: `http://127.0.0.1:8765`
+  /// Its address, once it is open: `http://127.0.0.1:8765`
   virtual std::string address() const = 0;
   /// A message of the topic with this place in Served::topics.
   virtual void say(std::size_t topic, std::int64_t time_ns, const std::string& json) = 0;

@@ -14,7 +14,7 @@ inline constexpr std::string_view kFoxgloveProtocol = "foxglove.websocket.v1";
 enum class Service : std::uint8_t { none, reset, pause, resume, step };
 inline constexpr std::uint32_t kServices = 4;  // from 1
 
-/// A parameter as it is now; no numbers: it has no value.
+/// The current value of a parameter; without numbers it has no value.
 struct ParameterValue {
   std::string name;
   bool is_array = false;
@@ -34,7 +34,7 @@ Topic drawing_topic();
 /// `about`: names and values.
 std::string server_info_text(std::string_view name, bool has_services, std::string_view session,
                              const std::vector<std::pair<std::string, std::string>>& about);
-/// Channel `c` has number c + 1; topics come behind all channels.
+/// Channel `c` has number c + 1; topics follow the channels.
 std::string advertise_text(const publish::PublishedChannels& channels,
                            const std::vector<bool>& chosen, const std::vector<Topic>& topics);
 /// A message of drawing_topic(): `rows` is [count][kSceneColumns].

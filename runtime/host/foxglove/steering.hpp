@@ -1,5 +1,5 @@
-// Changes that clients may make to a run. The owner of a run says how; a server without one is
-// read-only.
+// Changes that clients may make to a run. The owner of a run implements them; a server without an
+// owner is read-only.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ namespace eagerx::foxglove {
 
 class Steering {
  public:
-  /// Whose values are those of no client any more.
+  /// The owner of values whose client has disconnected.
   static constexpr web_socket::ClientId kNoClient = ~web_socket::ClientId{0};
 
   virtual ~Steering() = default;
 
-  /// Parameters of these names, or all, if there are none.
+  /// Parameters with these names, or all if none is given.
   virtual std::vector<ParameterValue> values(const std::vector<std::string>& names) = 0;
   virtual bool has(const std::string& name) const = 0;
-  /// Empty, or what is wrong.
+  /// Empty, or the problem.
   virtual std::string set(web_socket::ClientId client, const ClientMessage::Parameter& wanted) = 0;
   /// Resets the values that a client has set. True: there were any.
   virtual bool release(web_socket::ClientId client) = 0;

@@ -1,4 +1,4 @@
-// The key that two machines have in common: a file of its owner alone.
+// The key that two machines share: a file that only its owner may read.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@ inline constexpr std::size_t kKeyBytes = 32;
 /// Secret: its holders are trusted.
 using Key = std::array<std::uint8_t, kKeyBytes>;
 
-/// Reads a file that new_key() wrote. Nothing but this user may be able to read or write it. Empty,
-/// or what is wrong with it, and what to do.
+/// Reads a file of new_key(). Only this user may have access to it. Empty, or the problem and its
+/// fix.
 std::string read_key(const std::string& path, Key& key);
 
-/// Writes a new key, of the kernel's random numbers, where no file is. It is there as a whole or
-/// not at all. Empty, or what is wrong.
+/// Writes a new key, from the kernel's random numbers, to a path without a file, completely or not
+/// at all. Empty, or the problem.
 std::string new_key(const std::string& path);
 
 }  // namespace eagerx::key

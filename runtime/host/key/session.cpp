@@ -142,7 +142,7 @@ void Greeting::send_proof(std::size_t at) {
 
 /// False: no peer generates such a number.
 bool Greeting::make_keys(const std::uint8_t* other) {
-  // What we sent, sent back.
+  // Our own greeting, reflected.
   if (std::equal(open_.begin(), open_.end(), other)) return false;
   std::array<std::uint8_t, kSharedBytes> in{}, out{};
   const bool connects = role_ == Role::connects;

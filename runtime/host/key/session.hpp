@@ -1,6 +1,6 @@
-// Two programs that have a key in common, over a line that others can read and write. README.md
-// says how they find each other, what that promises and what not. No sockets are here: bytes go in
-// and out. Nothing allocates.
+// A session of two programs that share a key, over a line that others can read and write. README.md
+// describes the handshake and its guarantees. This file has no sockets: bytes go in and out.
+// Nothing allocates.
 #pragma once
 
 #include <array>
@@ -57,8 +57,8 @@ class Records {
   bool is_over_ = false;
 };
 
-/// The first bytes each way. The one that connects speaks first. Either is convinced that the other
-/// one has the key, and is there now, before is_done().
+/// The first bytes in each direction. The connecting side sends first. Before is_done(), each side
+/// has verified that the other has the key, and is live.
 class Greeting {
  public:
   static constexpr std::string_view kTitle = "eagerx-key-link1";  // 16 bytes
@@ -80,7 +80,7 @@ class Greeting {
   /// The bytes to send now; empty: nothing until the next take().
   Bytes to_send() const { return {send_.data(), send_size_}; }
   void sent() { send_size_ = 0; }
-  /// How many bytes are missing until something happens; 0: nothing more is read.
+  /// Number of bytes needed for the next step; 0 if it reads no more.
   std::size_t wanted() const { return is_done_ ? 0 : await_size_ - taken_size_; }
   /// At most wanted() bytes. False: the sender does not have the key, or repeats data of another
   /// peer.
@@ -101,7 +101,7 @@ class Greeting {
   std::array<std::uint8_t, kPublicBytes> open_{};
   std::array<std::uint8_t, kSecretBytes> secret_{};
   std::array<std::uint8_t, kStreamKeyBytes> out_key_{}, in_key_{};
-  /// Of who connects and who listens: all that is said in the open.
+  /// All unencrypted data, of the connecting and the listening side.
   std::array<std::uint8_t, 16 + 2 * kPublicBytes> said_{};
   std::array<std::uint8_t, kMostBytes> taken_{}, send_{};
   std::size_t taken_size_ = 0, send_size_ = 0, await_size_ = 0;

@@ -52,7 +52,7 @@ struct Functions {
   std::size_t (*seal_bytes)();
 };
 
-/// Null, and what is wrong in `problem`: the library is not there.
+/// Null and a `problem` if the library is missing.
 const Functions* sodium(std::string& problem);
 
 }  // namespace eagerx::key

@@ -1,4 +1,4 @@
-// Where messages are sent to, and of which graph they say that they are.
+// The destination of messages, and the name of their graph.
 #pragma once
 
 #include <cstdint>

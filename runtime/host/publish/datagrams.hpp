@@ -1,5 +1,4 @@
-// Datagrams for programs that plot: PlotJuggler's UDP server with its parser for JSON, and
-// Teleplot.
+// Datagrams for plotting programs: PlotJuggler's UDP server with its JSON parser, and Teleplot.
 #pragma once
 
 #include <cstddef>

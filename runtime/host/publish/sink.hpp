@@ -1,4 +1,4 @@
-// Where messages are published.
+// Destination of published messages.
 #pragma once
 
 #include <cstddef>
@@ -28,12 +28,12 @@ struct PublishedScene {
   std::size_t count;
 };
 
-/// One `--publish`. Only the thread that publishes calls it, but for open() and what is const. No
-/// call may wait for a reader.
+/// One `--publish`. Only the publishing thread calls it, except open() and const functions. No call
+/// may wait for a reader.
 class PublishSink {
  public:
   virtual ~PublishSink() = default;
-  /// Empty, or what is wrong.
+  /// Empty, or the problem.
   virtual std::string open() = 0;
   /// A note for the user, once it is open; empty: none.
   virtual std::string note() const { return {}; }
@@ -43,7 +43,7 @@ class PublishSink {
   virtual void scene(const PublishedScene& /*scene*/) {}
   /// Called every few milliseconds.
   virtual void idle() {}
-  /// Behind the last message. Empty, or what is wrong.
+  /// Call it after the last message. Empty, or the problem.
   virtual std::string close() { return {}; }
 
   /// Messages, or datagrams, that were not sent.
@@ -51,7 +51,7 @@ class PublishSink {
   std::uint64_t sent() const { return sent_; }
   /// Of the summary: "datagrams"
   virtual const char* unit() const = 0;
-  /// … and what else there is to tell: ", 2 clients"
+  /// … and further counts: ", 2 clients"
   virtual std::string more() const { return {}; }
 
  protected:

@@ -1,6 +1,6 @@
-// Reads what a board sends, byte by byte as it comes. Nothing of it is trusted: what is damaged is
-// counted and not shown, and reading continues at the next frame. Memory does not grow with what
-// comes in.
+// Decodes the bytes of a board as they arrive. The bytes are not trusted: damaged frames are
+// counted and not shown, and decoding continues at the next frame. Memory use does not grow with
+// the input.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Layout of a board's telemetry: `telemetry.json`, which lies next to the program, as a
-// struct. targets/README.md has the format.
+// Layout of a board's telemetry: `telemetry.json`, a file next to the program, as a struct.
+// targets/README.md has the format.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Names of channels as a trace file gives them, which anybody may have written.
+// Names of channels in a trace file, which is not trusted.
 #pragma once
 
 #include <cstddef>

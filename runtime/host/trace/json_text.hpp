@@ -1,4 +1,4 @@
-// Messages as JSON: of logs, and of programs that publish them while they run.
+// Messages as JSON, from logs and from running programs.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace eagerx::trace_log {
 
-/// "[0.5,-1]" or, of a message with one number, "0.5". Numbers have the fewest digits that give the
-/// same bits; what is not finite is null.
+/// "[0.5,-1]" or, for a message with one number, "0.5". Numbers have the fewest digits that give
+/// the same bits; non-finite numbers are null.
 void append_json_values(std::string& to, const RecordedChannel& channel,
                         const std::uint64_t* values);
 /// `{"episode":0,"tick":3,"value":0.5}`

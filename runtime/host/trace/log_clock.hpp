@@ -1,4 +1,4 @@
-// When the messages of a log were sent, one after the other.
+// Send times of a log's messages, one after the other.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,7 @@
 
 namespace eagerx::trace_log {
 
-/// When tick `count` of a rate of num / den Hz begins, to the nearest nanosecond; the longest time
-/// there is for what is beyond.
+/// Time of tick `count` at a rate of num / den Hz, to the nearest nanosecond; saturates.
 std::int64_t time_of_tick(std::uint64_t count, std::uint64_t num, std::uint64_t den);
 
 /// Behind the start of a log, without steps back between episodes: each begins one period of the
@@ -17,7 +16,7 @@ class LogClock {
  public:
   explicit LogClock(const std::vector<RecordedChannel>& channels);
 
-  /// Of a message that is sent `in_episode_ns` after the start of `episode`; to be asked in the
+  /// Time of a message that was sent `in_episode_ns` after the start of `episode`; call it in the
   /// order of the log.
   std::int64_t in_log_ns(std::uint32_t episode, std::int64_t in_episode_ns) {
     const std::int64_t time_ns = in_log_of_other_ns(episode, in_episode_ns);

@@ -1,5 +1,5 @@
-// Reads what `--trace` wrote, on Linux. Nothing in a file is trusted: whatever is wrong is said
-// with line and column.
+// Reads files of `--trace` on Linux. The file is not trusted: every problem is reported with line
+// and column.
 #pragma once
 
 #include <bit>
@@ -64,7 +64,7 @@ struct RecordedSetting {
   std::vector<std::string> values;
 };
 
-/// A drawing: what differs from the scene before in the file, of the rows that it has.
+/// A drawing: the numbers that differ from the previous scene in the file, for its rows.
 struct RecordedScene {
   std::uint64_t tick = 0;
   std::uint32_t episode = 0;
@@ -106,8 +106,8 @@ class LogReader {
   LogReader& operator=(const LogReader&) = delete;
   ~LogReader();
 
-  /// Takes all complete lines off `text`. What is left is the beginning of one, or what follows the
-  /// last line of the log. False: problem() says what is wrong, and nothing more is read.
+  /// Removes all complete lines from `text`. The rest is an incomplete line, or text after the last
+  /// line of the log. False: see problem(); nothing more is read.
   bool read(std::string_view& text);
   /// Nothing will follow `rest`, which read() left. False: that is too early.
   bool finish(std::string_view rest);
@@ -122,8 +122,8 @@ class LogReader {
   std::unique_ptr<Lines> lines_;
 };
 
-/// Reads the text of a log. nullopt: `problem` says what is wrong, as "path:line:column: error: …".
-/// A log that ends early, also in the middle of a line, is read up to there.
+/// Reads the text of a log. nullopt: see `problem`, "path:line:column: error: …". An incomplete
+/// log, even if it ends within a line, is read up to its end.
 std::optional<Log> read_log(const std::string& path, std::string_view text, std::string& problem);
 /// The same from the file `path`.
 std::optional<Log> read_log_file(const std::string& path, std::string& problem);

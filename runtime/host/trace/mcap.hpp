@@ -1,5 +1,5 @@
 // MCAP files, https://mcap.dev/spec: chunks without compression, each with its index; messages in
-// JSON. What `eagerx-gen trace convert` makes of a log, and a program with `--publish mcap:FILE`
+// JSON. `eagerx-gen trace convert` writes them from a log, and a program with `--publish mcap:FILE`
 // while it runs.
 #pragma once
 
@@ -18,17 +18,17 @@ inline constexpr std::size_t kMostMcapChannels = 65'534;
 /// The bytes of the file so far, except those taken away.
 class McapFile {
  public:
-  /// At most kMostMcapChannels, which live as long as this.
+  /// At most kMostMcapChannels, which must outlive this.
   explicit McapFile(const std::vector<RecordedChannel>& channels);
 
   /// `values`: [size of the channel]
   void add(std::uint32_t channel, std::uint32_t episode, std::uint64_t seq, std::int64_t time,
            const std::uint64_t* values);
-  /// A file that ends behind a chunk has all messages up to there.
+  /// A file that ends after a chunk has all messages up to there.
   void end_chunk();
   bool has_messages() const { return chunk_messages_ > 0; }
   void finish();
-  /// The bytes behind those that were taken before.
+  /// The bytes since the last call.
   std::string take() { return std::exchange(ready_, {}); }
 
  private:

@@ -1,5 +1,5 @@
-// Reads MCAP files (https://mcap.dev/spec) from front to back, also growing ones and those of
-// other programs: channels and messages, within chunks without compression or outside of them.
+// Reads MCAP files (https://mcap.dev/spec) from front to back, also growing files and those of
+// other programs: channels and messages, inside or outside of uncompressed chunks.
 #pragma once
 
 #include <cstdint>
@@ -35,10 +35,10 @@ class McapReader {
  public:
   explicit McapReader(McapListener& listener) : listener_(listener) {}
 
-  /// Takes all complete records from the front of `bytes`, whose rest is to come again with what
-  /// follows. False: it is not an MCAP file, or a part is wrong: problem().
+  /// Removes all complete records from the front of `bytes`; pass the rest again with the bytes
+  /// that follow. False if it is not an MCAP file, or is damaged: see problem().
   bool read(std::string_view& bytes);
-  /// Whether the end of the data was read: what follows are indexes.
+  /// Whether the end of the data was read; only indexes follow.
   bool is_complete() const { return is_complete_; }
   const std::string& problem() const { return problem_; }
 

@@ -1,4 +1,4 @@
-// A run against a log: what the log gives is taken from it, the rest is compared with it.
+// Repeats a run with a log: takes the given messages from the log, and compares the others with it.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,8 @@ class Replay {
  public:
   Replay(const Log& log, std::span<const Channel> channels);
 
-  /// `given` names what is taken from the log, between commas: channels, `actions` or `sensors`
-  /// (what engine nodes send). False if log and program do not fit; `problem` says why.
+  /// `given` lists what is taken from the log, separated by commas: channels, `actions` or
+  /// `sensors` (messages of engine nodes). False if log and program do not fit; see `problem`.
   bool prepare(std::string_view given, bool engine_is_real, std::string& problem);
 
   bool runs_engine() const { return runs_engine_; }
@@ -44,7 +44,7 @@ class Replay {
   /// The same after the last episode, for messages of all later ones.
   void end_all();
 
-  /// The next message of `channel`, of `size` elements, if the log gives it, without going on.
+  /// The next message of `channel`, of `size` elements, if the log supplies it, without advancing.
   template <class Scalar>
   void copy(std::uint32_t channel, std::uint32_t episode, Scalar* elements,
             std::size_t size) const {
@@ -52,7 +52,7 @@ class Replay {
     if (recorded != nullptr) assign(elements, size, recorded);
   }
 
-  /// A message of the program, of `size` elements: it is compared, or becomes what the log gives.
+  /// Compares a message of the program, of `size` elements, or replaces it with that of the log.
   template <class Scalar>
   void message(std::uint32_t channel, std::uint32_t episode, Seq seq, Scalar* elements,
                std::size_t size) {
@@ -68,7 +68,7 @@ class Replay {
   /// The same for a message in bits, which is always compared.
   void compare(std::uint32_t channel, std::uint32_t episode, Seq seq, const std::uint64_t* bits);
 
-  /// False if a channel of both is of another type, size or rate; `problem` says which.
+  /// False if a common channel has another type, size or rate; see `problem`.
   bool fits(std::string& problem) const;
 
   const std::optional<Divergence>& divergence() const { return divergence_; }
@@ -111,7 +111,8 @@ class Replay {
   std::optional<Divergence> divergence_;
 };
 
-/// One line: where, both values, how far apart. `recorded` and `here` name the two sides.
+/// One line with the place, both values and their distance. `recorded` and `here` name the two
+/// sides.
 std::string divergence_text(const Divergence& divergence, const Channel& channel,
                             const std::string& recorded, const std::string& here);
 /// "1 message", "2 messages"

@@ -1,4 +1,4 @@
-// Lines of a trace with scenes: what `--trace-scenes` writes.
+// Lines of a trace with scenes, which `--trace-scenes` writes.
 #pragma once
 
 #include <cstdint>

@@ -87,7 +87,7 @@ void LwsClient::connect() {
   info.protocol = to_.protocol.c_str();
   info.pwsi = &wsi_;
   state_ = State::connecting;
-  // What goes wrong at once has caused an event, too.
+  // An immediate failure may have caused an event already.
   if (lws.client_connect_via_info(&info) == nullptr && state_ == State::connecting)
     end(State::absent);
 }

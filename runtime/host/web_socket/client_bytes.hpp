@@ -1,5 +1,5 @@
-// Bytes of a client that the library may receive. It takes frames that are not masked,
-// which RFC 6455 (section 5.1) forbids a server to take.
+// Bytes of a client that the library may receive. The library accepts unmasked frames, which RFC
+// 6455 (section 5.1) forbids.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class ClientBytes {
   void add(std::string_view bytes);
   /// Sets the answer to the request; the bytes after it wait until then.
   void answered(Answer with);
-  /// Whether nothing more may be added before answered().
+  /// Whether it accepts no more bytes before answered().
   bool is_waiting() const { return state_ == State::waits && !held_.empty(); }
   /// A line of the request does not end in CR LF.
   bool is_no_request() const { return state_ == State::no_request; }

@@ -1,5 +1,5 @@
-// libwebsockets: its headers where a program is built, since its structs are others in each
-// version, and the library where it runs, if it speaks with somebody. Inside web_socket/ only.
+// libwebsockets: a build needs its headers, because its structs differ between versions, and a
+// program that uses WebSockets needs the library at run time. Inside web_socket/ only.
 #pragma once
 
 #include <libwebsockets.h>
@@ -36,10 +36,10 @@ struct Library {
 };
 extern Library lws;  // of the one library
 
-/// Who is idle for 10 s is asked whether it is there, and is gone after 30 s.
+/// Pings a peer that is idle for 10 s, and drops it after 30 s.
 inline constexpr lws_retry_bo_t kAliveness{nullptr, 0, 0, 10, 30, 0};
 
-/// Loads it. Empty, or what is wrong.
+/// Loads it. Empty, or the problem.
 std::string load();
 
 }  // namespace eagerx::web_socket

@@ -1,4 +1,4 @@
-// A socket that others connect to.
+// A listening socket.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct Listener {
   std::string port;  // that it got, if any was good enough
 };
 
-/// Port 0: any that is free. Empty, or what is wrong.
+/// Port 0: any free port. Empty, or the problem.
 std::string listen_on(const std::string& host, const std::string& port, Listener& listener);
 
 }  // namespace eagerx::web_socket

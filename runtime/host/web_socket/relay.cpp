@@ -67,7 +67,8 @@ bool Relay::carry_in() {
     const Read read = read_some(client_, bytes);
     did_something = read != Read::nothing;
     client_has_ended_ = read == Read::end;
-    // What comes too late is read and lost: a client that it waits for would not learn why.
+    // Bytes that arrive after the library has ended are read and dropped: otherwise a client that
+    // waits for them to be read would not learn the reason.
     if (!library_has_ended_) from_client_.add(bytes);
     if (from_client_.is_no_request()) is_broken_ = true;
   }

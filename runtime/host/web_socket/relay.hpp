@@ -1,5 +1,5 @@
-// The bytes of one connection, between the client's socket and the library's. Both ways; of what
-// the client sends the library has what ClientBytes lets through.
+// Relays the bytes of one connection between the client's socket and the library's, both ways. Of
+// the client's bytes, the library receives those that ClientBytes lets through.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@ namespace eagerx::web_socket {
 
 class Relay {
  public:
-  /// Closes `client`, which does not block, when it is over.
+  /// Takes ownership of `client`, a non-blocking socket.
   explicit Relay(int client);
   Relay(const Relay&) = delete;
   Relay& operator=(const Relay&) = delete;
@@ -21,11 +21,11 @@ class Relay {
   void answered(ClientBytes::Answer with) { from_client_.answered(with); }
   bool is_no_request() const { return from_client_.is_no_request(); }
   bool is_unmasked() const { return from_client_.is_unmasked(); }
-  /// Reads and writes what is possible now. Whether anything was.
+  /// Reads and writes as much as possible without blocking. True if there was anything.
   bool carry();
-  /// Whether one of the two is gone, and what there was for the other is sent or takes too long.
+  /// Whether one end is gone, and its data has been sent to the other or takes too long.
   bool is_over() const;
-  /// Whether the client has what the library wrote.
+  /// Whether the client has received everything that the library wrote.
   bool is_empty() const;
 
  private:

@@ -1,4 +1,4 @@
-// WebSockets, a server and a client, without the types of the library that speaks them.
+// A WebSocket server and client, without the types of the library that implements them.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,8 @@ class WebSocketOwner {
   /// A whole message. False: the client is disconnected.
   virtual bool received(ClientId client, std::string_view message, bool is_text) = 0;
   virtual void closed(ClientId client) = 0;
-  /// The page at a path; it lives as long as the server. Null: nothing, or not for this one.
+  /// The page at a path, which must outlive the server. Null if there is none, or none for this
+  /// client.
   virtual const Page* page(std::string_view /*path*/, const Handshake& /*handshake*/) {
     return nullptr;
   }
@@ -63,7 +64,7 @@ class WebSocketServer {
   /// Whether everything is written.
   virtual bool is_empty() const = 0;
   virtual std::uint64_t refused() const = 0;
-  /// Clients that were disconnected for what they did, or did not do.
+  /// Number of clients that were disconnected for their behavior.
   virtual std::uint64_t disconnected() const = 0;
 };
 
@@ -101,9 +102,9 @@ class WebSocketClient {
     closed    // it was open
   };
   virtual ~WebSocketClient() = default;
-  /// Begins anew, if it is not connected.
+  /// Reconnects if it is not connected.
   virtual void connect() = 0;
-  /// Reads and writes what is possible now. True: there may be more to read at once.
+  /// Reads and writes as much as possible without blocking. True if there may be more to read.
   virtual bool service() = 0;
   virtual State state() const = 0;
   virtual void send(std::string_view text) = 0;

@@ -1,5 +1,5 @@
-// The main program of a board without an operating system that talks through semihosting or a
-// serial port, for any graph.
+// The main program of a board without an operating system, with semihosting or a serial port, for
+// any graph.
 #pragma once
 
 #include <algorithm>
@@ -289,7 +289,7 @@ inline void print_timing(const target::Timing& timing, target::Pace pace) {
   print("largest lateness", ns(timing.worst), " ns");
 }
 
-/// The main function: runs the episodes of the command line on this board and prints what came out.
+/// The main function: runs the episodes of the command line on this board, and prints the results.
 template <class Graph>
 int run(const char* board) {
   static_assert(note_graph<Graph> != nullptr);

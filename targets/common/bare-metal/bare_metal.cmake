@@ -1,10 +1,10 @@
-# What all boards without an operating system have in common.
+# Shared by all boards without an operating system.
 include_guard(DIRECTORY)
 include(${CMAKE_CURRENT_LIST_DIR}/manifest.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/no_heap.cmake)
 
-# Of everything that is compiled for a board. -g and the .ci files of -fcallgraph-info are what `eagerx-gen size`
-# reads; neither changes the image.
+# Flags of all code for a board. -g and the .ci files of -fcallgraph-info are what `eagerx-gen size` reads; neither
+# changes the image.
 set(EAGERX_BARE_METAL_FLAGS
     -Wall -Wextra -Wdouble-promotion $<$<CONFIG:>:-O2> -fno-exceptions -fno-rtti -fno-threadsafe-statics
     -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections -fdata-sections
@@ -13,9 +13,8 @@ set(EAGERX_BARE_METAL_FLAGS
 set(EAGERX_ARGUMENTS "" CACHE STRING "Options of programs that start without a debugger, such as --pace")
 option(EAGERX_TRACE "Programs for boards know --trace, which takes some kB of flash" OFF)
 
-# eagerx_board_library(<name> SOURCES <file>... [FOLDERS <folder>...] [OPTIONS <flag>...])
-# What is the same in all images of a board: compiled once for each core and set of flags, and kept
-# (runtime/host/compiled_library.cmake).
+# eagerx_board_library(<name> SOURCES <file>... [FOLDERS <folder>...] [OPTIONS <flag>...]) Code that is the same in all
+# images of a board: compiled once for each core and set of flags, and cached (runtime/host/compiled_library.cmake).
 function(eagerx_board_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;FOLDERS;OPTIONS" ${ARGN})
   if(TARGET ${name})

@@ -1,4 +1,4 @@
-// The board's clock in nanoseconds, as engines of real hardware want it.
+// The board's clock in nanoseconds, as engines of real hardware need it.
 #pragma once
 
 #include <cstdint>

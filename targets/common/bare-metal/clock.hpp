@@ -9,7 +9,7 @@ namespace eagerx::board {
 void start_clock();
 /// Ticks so far.
 std::uint64_t clock_ticks();
-/// Returns when this number of ticks is over, as soon as the core can; at once if they are.
+/// Waits until this tick, and returns as soon as the core can; immediately if it has passed.
 void wait_for_clock(std::uint64_t ticks);
 /// Ticks a second.
 std::uint64_t clock_hz();

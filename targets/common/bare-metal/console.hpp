@@ -1,4 +1,4 @@
-// Text out of a board, through semihosting or a serial port, without printf and without heap.
+// Text output of a board, through semihosting or a serial port, without printf and heap.
 #pragma once
 
 #include <concepts>
@@ -20,11 +20,11 @@ enum class Output : std::uint8_t { semihosting, uart };
 
 /// Sends one character through the board's serial port. Every board defines it.
 void uart_write(char character);
-/// Sends it if the port has room for it at once, and otherwise returns false. Every board whose
-/// manifest says a `baud` defines it; programs with telemetry call it.
+/// Sends the byte if the port has room for it now, otherwise returns false. Every board whose
+/// manifest has a `baud` defines it; programs with telemetry call it.
 bool uart_offer(std::uint8_t byte);
-/// A character that came in through the serial port; false if there is none. Without interrupts:
-/// who waits for characters calls it all the time. Boards that only speak leave it out.
+/// Reads a received character from the serial port; false if there is none. It uses no interrupts,
+/// so call it continuously to wait for characters. Boards that only send do not need it.
 bool uart_read(char& character);
 
 /// Collects text and sends it when a line is complete or the buffer full.
@@ -37,7 +37,7 @@ class Console {
   void flush();
 
   /// Decimal integers, and floating-point numbers as the shortest decimal that reads back to the
-  /// same bits: what std::to_chars writes on Linux.
+  /// same bits, like std::to_chars on Linux.
   template <std::integral T>
   void number(T value) {
     char buffer[kLongestInteger];

@@ -1,5 +1,5 @@
 // Numbers as decimal text for boards: no printf, no tables, no heap. Exact integer arithmetic, so
-// it is slow (some thousand instructions a number) and right.
+// it is correct but slow (some thousand instructions per number).
 #pragma once
 
 #include <algorithm>
@@ -149,7 +149,7 @@ class Decimal {
     notate(out, shortest_ + start, static_cast<int>(n), point);
   }
 
-  /// Rounds the value to `n` digits from `begin` into shortest_; true if that lies in the interval.
+  /// Rounds the value to `n` digits from `begin` into shortest_; true if that is in the interval.
   bool shortened(std::size_t begin, std::size_t n) {
     std::copy(value_, value_ + kExactDigits, shortest_);
     char* const cut = shortest_ + begin + n;

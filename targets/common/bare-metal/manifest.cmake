@@ -1,4 +1,4 @@
-# What CMake needs to know of a board stands in its manifest.yaml, once.
+# Reads the properties of a board from its manifest.yaml, their only source.
 
 # eagerx_board_memory(<variable> <folder> <flash|ram>): ORIGIN and SIZE as a list, from the line
 # `flash: [ORIGIN, SIZE]`. A board whose blanks are not filled in does not build.

@@ -1,12 +1,12 @@
 // Registers of peripherals. Drivers of peripherals take the memory as a template parameter, so that
-// tests can put one in its place that records what happens.
+// tests can replace it with one that records accesses.
 #pragma once
 
 #include <cstdint>
 
 namespace eagerx::board {
 
-/// Registers of 32 bits where the processor sees them: at numbers that the manual gives.
+/// 32-bit registers at the addresses in the manual.
 // NOLINTBEGIN(performance-no-int-to-ptr)
 struct MappedMemory {
   static std::uint32_t read(std::uintptr_t address) {

@@ -1,4 +1,4 @@
-// The main program of a board that runs a part of a graph, linked through its serial port with the
+// The main program of a board that runs a part of a graph, linked through its serial port to the
 // rest on Linux.
 #pragma once
 

@@ -1,4 +1,4 @@
-// How deep the stack ever was: it is painted before main and looked at afterwards.
+// Maximum stack depth: the stack is painted before main and inspected afterwards.
 #pragma once
 
 #include <cstddef>

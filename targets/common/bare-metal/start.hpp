@@ -7,8 +7,8 @@
 
 extern "C" {
 
-// From the linker script: where initial values lie in flash, where they belong, what starts as
-// zero, and what runs before main.
+// From the linker script: the initial values in flash and their addresses in RAM, the memory that
+// starts as zero, and the functions that run before main.
 extern const std::uint32_t eagerx_data_load[];
 extern std::uint32_t eagerx_data_begin[];
 extern std::uint32_t eagerx_data_end[];

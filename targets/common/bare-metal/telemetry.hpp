@@ -34,14 +34,14 @@ class TelemetryWork {
       if (!telemetry.step(kOffer)) return;
     }
   }
-  /// Where slots are only measured, all of their copies find room, and nothing is sent.
+  /// With `--timing`, all copies of a slot find room, and nothing is sent.
   std::uint64_t measured() {
     telemetry.discard();
     return clock_ticks();
   }
 
-  /// After the run, whose outputs are safe: what is in the ring is sent, and the line has twice the
-  /// time that it takes. What is then left counts as dropped.
+  /// After the run, whose outputs are safe: sends the contents of the ring, within twice the time
+  /// that the line needs. The rest counts as dropped.
   void finish() {
     constexpr std::uint64_t kBitsOfByte = 10;
     constexpr std::uint64_t kBytes = sizeof telemetry;

@@ -23,7 +23,7 @@ class UartLine {
     }
     return BusError::none;
   }
-  /// Errors: timeout, frame, short_reply (bytes were lost). After one, flush() begins anew.
+  /// Errors: timeout, frame, short_reply (bytes were lost). Call flush() after an error.
   BusError read(std::uint8_t* in, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) {
       BusError error = BusError::none;
@@ -33,7 +33,7 @@ class UartLine {
     }
     return BusError::none;
   }
-  /// Throws away what has come in.
+  /// Discards received bytes.
   void flush() {
     std::uint8_t byte = 0;
     BusError error = BusError::none;

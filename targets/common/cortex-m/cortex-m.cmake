@@ -1,4 +1,4 @@
-# What all Cortex-M boards have in common.
+# Shared by all Cortex-M boards.
 include_guard(DIRECTORY)
 include(${CMAKE_CURRENT_LIST_DIR}/../bare-metal/bare_metal.cmake)
 

@@ -1,4 +1,4 @@
-// Faults switch outputs off, say what they are and end the program. Source: ARMv7-M Architecture
+// Faults switch outputs off, report their cause and end the program. Source: ARMv7-M Architecture
 // Reference Manual (DDI 0403E) B3.2.15 to B3.2.18 (fault status registers), B1.5.6 (stacked frame);
 // ARMv8-M (DDI 0553B).
 #include <cstdint>
@@ -90,7 +90,7 @@ void eagerx_report_exception(const std::uint32_t* frame, std::uint32_t number) {
   eagerx::board::semihosting_exit(eagerx::board::kFault);
 }
 
-// What a program finds in its memory ends like every other fault.
+// Corrupted memory ends the program like every other fault.
 void eagerx_memory_fault() {
   __builtin_trap();
 }

@@ -1,4 +1,4 @@
-# What all bare-metal RISC-V boards have in common.
+# Shared by all bare-metal RISC-V boards.
 include_guard(DIRECTORY)
 include(${CMAKE_CURRENT_LIST_DIR}/../bare-metal/bare_metal.cmake)
 

@@ -1,4 +1,4 @@
-// Traps switch outputs off, say what they are and end the program. Source: "The RISC-V Instruction
+// Traps switch outputs off, report their cause and end the program. Source: "The RISC-V Instruction
 // Set Manual, Volume II: Privileged Architecture", 20211203, 3.1.15 (mcause).
 #include <cstdint>
 #include <eagerx/memory_fault.hpp>
@@ -64,7 +64,7 @@ void eagerx_report_trap(std::uint32_t cause, std::uint32_t address, std::uint32_
   eagerx::board::semihosting_exit(eagerx::board::kFault);
 }
 
-// What a program finds in its memory ends like every other fault.
+// Corrupted memory ends the program like every other fault.
 void eagerx_memory_fault() {
   __builtin_trap();
 }

@@ -9,8 +9,9 @@
 
 namespace eagerx::environments {
 
-/// A program may have set the processor to take denormal numbers for zero, or to round otherwise,
-/// and then bits would differ: that waits until the call is over. Throws Problem.
+/// A program may have set the processor to flush denormals to zero or to round differently, so bits
+/// would differ: sets the right mode during a call, and restores the program's mode afterwards.
+/// Throws Problem.
 class RightFloats {
  public:
   RightFloats() {

@@ -1,4 +1,4 @@
-// Which columns of a row belong to which field.
+// Assigns the columns of a row to fields.
 #pragma once
 
 #include <cstddef>

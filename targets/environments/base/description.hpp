@@ -9,13 +9,12 @@
 
 namespace eagerx::environments {
 
-/// The goals of a stage: a share of the episodes, a mean return. Negative infinity: it
-/// is not asked.
+/// The goals of a stage: a share of the episodes, a mean return. Negative infinity: no goal.
 struct Until {
   double success, mean_return;
 };
 
-/// Texts are JSON's where nothing else is said.
+/// Texts are JSON unless stated otherwise.
 struct TaskDescription {
   std::span<const char* const> terms;
   bool success = false;
@@ -42,7 +41,7 @@ std::string describe_task(const TaskDescription& task);
 std::string describe_stages(std::span<const char* const> names, std::span<const Until> until);
 std::string describe_render(double rate_hz);
 
-/// Throws Problem: there is none of this name.
+/// Throws Problem: unknown stage.
 [[noreturn]] void refuse_stage(const std::string& name, std::span<const char* const> known);
 
 /// Number of lanes of a SIMD group; 0: not vectorized.
@@ -50,13 +49,13 @@ struct UsedSimd {
   std::uint32_t lanes;
   const char* isa;
 };
-/// How the environments of a batch are stepped, and what made it slower than it could be. `used`:
-/// the SIMD groups of `environments` of them, `widest`: those of many. `graph_has_none`: why the
-/// graph is not vectorized; empty if it is.
+/// How the environments of a batch are stepped, and the reason if that is slower than possible.
+/// `used`: the SIMD groups for `environments` of them, `widest`: those for many. `graph_has_none`:
+/// why the graph is not vectorized; empty if it is.
 std::string stepping_text(UsedSimd used, UsedSimd widest, std::uint32_t environments, bool draws,
                           const std::string& graph_has_none);
 
-/// Sums of what is not 0.
+/// Sums of nonzero counts.
 class Counts {
  public:
   void add(const char* name, std::uint64_t count) {

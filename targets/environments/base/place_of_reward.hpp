@@ -1,4 +1,4 @@
-// Where a reward was no number.
+// Place of a reward that is not finite.
 #pragma once
 
 #include <cstdint>

@@ -6,11 +6,11 @@
 
 namespace eagerx::environments {
 
-/// Nothing else is thrown here on purpose; none of it leaves the library.
+/// The only exception that is thrown on purpose; none leaves the library.
 class Problem : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// Throws it. In a function of its own, so that callers are short.
+/// Throws a Problem. A separate function, so that callers are short.
 [[noreturn]] void refuse(const char* text);
 [[noreturn]] void refuse(const std::string& text);
 
@@ -19,7 +19,7 @@ const char* error_text();
 void set_error(const std::string& text);
 /// Keeps a text for error_text(); -1.
 int fail(const char* text) noexcept;
-/// fail() for what a handler has caught.
+/// fail() for the exception that a handler has caught.
 int fail_as_caught() noexcept;
 
 }  // namespace eagerx::environments

@@ -1,4 +1,4 @@
-// Rows of states that a caller has set: what may be in them, and when they count.
+// Rows of states that a caller has set: their valid values, and when they apply.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The file of a trace that a caller asked for.
+// The trace file that a caller requested.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace eagerx::environments {
 
-/// It keeps its contents if nothing is written.
+/// The file keeps its contents if nothing is written.
 class TraceFile {
  public:
   /// Throws Problem if `path` cannot be written, or is written as another trace. Empty: no file.
@@ -16,7 +16,7 @@ class TraceFile {
 
   bool is_open() const { return file_.is_open(); }
   host::TextFile& text() { return file_; }
-  /// Whether it is the file `path`, by whatever name.
+  /// Whether it is the file `path`, by any name.
   bool is(const std::string& path) const { return file_.is_same_file(path); }
 
   /// `seed`, `environment`: of the first episode.

@@ -1,4 +1,4 @@
-// How many threads a step of many environments is worth.
+// Number of threads that a step of many environments is worth.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class BlockWork {
   void (*call_)(void* what, std::uint32_t first, std::uint32_t end, unsigned member);
 };
 
-/// How many threads of a pool are worth their waking, from what the last steps took.
+/// How many threads of a pool are worth waking, estimated from the time of the last steps.
 class Workload {
  public:
   unsigned members(unsigned most) const;

@@ -11,8 +11,8 @@ namespace eagerx::campaign {
 
 using environments::Ranks;
 
-/// Runs what is not done yet, each rank its share; rank 0 prints the report. The exit code.
-/// `interrupted` is asked between chunks. Throws Problem.
+/// Runs the missing chunks, each rank its share; rank 0 prints the report. Returns the exit code.
+/// Checks `interrupted` between chunks. Throws Problem.
 int run_campaign(const Options& options, const client::Library& library, Ranks& ranks,
                  const host::Interrupt& interrupted);
 

@@ -10,9 +10,9 @@
 
 namespace eagerx::campaign {
 
-/// A line that says what the campaign is, then a record (record.hpp) for each chunk, in any order.
-/// Records are only added. One that a kill has cut off ends the file. A damaged one is left out,
-/// and what follows it is read.
+/// A line that identifies the campaign, then a record (record.hpp) for each chunk, in any order.
+/// Records are only appended. A record cut off by a kill ends the file. A damaged record is
+/// skipped.
 class Journal {
  public:
   /// `identity`: a line; results of another one are none of ours. No file is touched yet.
@@ -31,8 +31,8 @@ class Journal {
     std::size_t first_damaged = 0;  // where they begin
     bool is_cut_off = false;        // they are the end of the file, as after a kill
   };
-  /// Reads what is there into `results` and appends to it. A damaged file is written anew, with
-  /// what is good of it. Throws Problem if it is not a journal, or of another campaign.
+  /// Reads the existing records into `results`, and appends to the file. Rewrites a damaged file
+  /// with its good records. Throws Problem if it is not a journal, or belongs to another campaign.
   Found resume(const Plan& plan, Results& results);
   /// By one thread at a time. Throws Problem if it cannot be written.
   void add(const std::string& record);
@@ -45,8 +45,8 @@ class Journal {
   int file_ = -1;
 };
 
-/// Throws Problem if a new journal would cost what is in this file: finished runs, or anything
-/// else.
+/// Throws Problem if a new journal would overwrite contents of this file: finished runs, or
+/// anything else.
 void refuse_full(const std::string& path);
 
 /// Puts the results of a chunk in their place.

@@ -16,8 +16,8 @@ struct Variation {
   double low = 0.0, high = 0.0;
 };
 
-/// Runs in a chunk: what is computed together, by one thread, and written to the checkpoint at
-/// once. Constant, because nothing may depend on the number of threads.
+/// Runs in a chunk, which one thread computes, and which is written to the checkpoint as a whole.
+/// Constant, because results must not depend on the number of threads.
 inline constexpr std::uint32_t kChunk = 256;
 
 /// Steps of an episode that the task does not end, as in programs for Linux.
@@ -61,8 +61,8 @@ struct Plan {
 /// `angle=silent+5`, with @ and a step if that is the same for all runs.
 std::string text_of(const target::Fault& fault);
 
-/// `steps`: 0 for what the task says. Throws Problem if the graph has no success to count, or for
-/// what cannot be varied or have a fault.
+/// `steps`: 0 for those of the task. Throws Problem if the graph does not define success, or for
+/// elements that cannot be varied or have a fault.
 Plan make_plan(const client::Description& description, std::uint64_t seed, std::uint32_t runs,
                std::uint32_t steps, std::vector<Variation> variations,
                std::vector<target::Fault> faults);

@@ -1,4 +1,4 @@
-// How far a campaign is, for people.
+// Progress of a campaign on the terminal.
 #pragma once
 
 #include <chrono>
@@ -6,8 +6,8 @@
 
 namespace eagerx::campaign {
 
-/// On a terminal one line that is written anew each second, elsewhere one more line every five
-/// seconds. Goes to stderr.
+/// On a terminal, one line that is rewritten each second; elsewhere a new line every five seconds.
+/// Goes to stderr.
 class Progress {
  public:
   Progress(std::uint32_t runs, bool is_quiet);

@@ -17,7 +17,7 @@ struct Record {
   Results results;
 };
 
-/// The counts that a library's eagerx_counts() gives as JSON.
+/// Parses the JSON of a library's eagerx_counts().
 Counts read_counts(const char* json);
 
 /// Size, check sum, number of the chunk, runs, counts of faults as JSON; numbers as this machine

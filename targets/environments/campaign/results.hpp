@@ -24,7 +24,7 @@ struct Results {
   std::vector<double> returns;       // sum of the rewards, NaN if one was
   std::vector<std::uint32_t> steps;  // of the episode
   std::vector<std::uint8_t> flags;
-  // [runs][width] what the episodes began with, then where their faults begin
+  // [runs][width] initial states of the episodes, then the steps at which their faults begin
   std::vector<double> states;
   std::size_t width;
   Counts counts;  // of all runs

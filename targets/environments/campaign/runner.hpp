@@ -14,8 +14,8 @@ class Runner {
   /// Throws Problem if the library is older than campaigns.
   Runner(const client::Library& library, const Plan& plan);
 
-  /// Run k is the first episode of environment k of the plan's seed. May be called by several
-  /// threads at once. Throws Problem for what the library refuses.
+  /// Run k is the first episode of environment k of the plan's seed. Several threads may call it in
+  /// parallel. Throws Problem for errors of the library.
   Results run(std::uint32_t chunk) const;
   /// How those of the first chunk are stepped, in words: vectorized, or why not.
   std::string stepping() const;

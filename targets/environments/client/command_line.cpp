@@ -40,7 +40,7 @@ bool take(const CommandLine& line, int argc, const char* const* argv, int& i) {
     option->set({});
     return !option->row.ends;
   }
-  // What begins with two dashes is the next option; a value that does is written
+  // A word that begins with two dashes is the next option; write such a value as
   // `--option=--value`.
   if (!has_value && (i + 1 == argc || std::string_view(argv[i + 1]).starts_with("--")))
     refuse("`" + word + "` needs a value");

@@ -28,8 +28,8 @@ struct Setter {
   Set set;
 };
 
-/// The rows with what they do. Each has one setter, and each setter a row: else it is a bug of this
-/// program (std::logic_error).
+/// The rows with their setters. Each row must have one setter, and each setter a row; otherwise it
+/// is a bug of this program (std::logic_error).
 std::vector<Option> options_of(std::span<const options::Row> rows, std::vector<Setter> setters);
 
 struct CommandLine {
@@ -42,7 +42,8 @@ struct CommandLine {
 /// Throws Problem with kUsage.
 [[noreturn]] void refuse(const std::string& what);
 
-/// Calls what the words say. Throws Problem with kUsage: LIBRARY may be missing, but not twice.
+/// Calls the setters for the words. Throws Problem with kUsage: LIBRARY may be missing, but not
+/// repeated.
 void parse(const CommandLine& line, int argc, const char* const* argv);
 
 /// A line for each option.

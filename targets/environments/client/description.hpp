@@ -21,7 +21,7 @@ struct Space {
   bool is_whole() const;
 };
 
-/// A part of a training, before the graph as it is written.
+/// A part of a training, before the graph as written.
 struct Stage {
   std::string name;
   double success, mean_return;  // that must be reached in it; negative infinity: nothing is asked

@@ -1,4 +1,4 @@
-// Files that are there as a whole or not at all, and the standard output.
+// Files that are written completely or not at all, and the standard output.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace eagerx::client {
 
-/// Writes `bytes` as runtime/host/base/files.hpp does. Throws Problem, and leaves what was there.
+/// Writes `bytes` like runtime/host/base/files.hpp. Throws Problem, and then leaves the old file.
 void write_file(const std::string& path, std::string_view bytes);
 
-/// The same for files that belong together: nothing is renamed before all are written.
+/// The same for files that belong together: renames them only after all are written.
 struct NewFile {
   std::string path, bytes;
 };

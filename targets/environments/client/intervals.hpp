@@ -1,4 +1,4 @@
-// How sure a figure is that comes of samples.
+// Confidence intervals of figures from samples.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct Interval {
 /// also near 0 and 1, where the normal interval is too short.
 Interval wilson(std::uint64_t successes, std::uint64_t runs);
 
-/// A mean and what is added to and taken from it for an interval of 95 % (Student 1908); of fewer
-/// than two values that is 0.
+/// A mean and the half-width of its 95 % interval (Student 1908), which is 0 for fewer than two
+/// values.
 struct Mean {
   double mean = 0.0, half = 0.0;
 };

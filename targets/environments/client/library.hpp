@@ -1,4 +1,4 @@
-// A library of environments, loaded while a program runs.
+// A library of environments, loaded at run time.
 #pragma once
 
 #include <memory>
@@ -24,11 +24,11 @@ struct LibraryFunctions {
   decltype(&eagerx_critic) critic;  // null where the critic of a training sees observations only
 };
 
-/// Some environments of a library, stepped by the caller's thread. What fails throws Problem.
+/// Some environments of a library, stepped by the caller's thread. Failures throw Problem.
 class Environments {
  public:
   /// Numbers first … first + count - 1 of `seed`. `longest`: steps until they are truncated; 0:
-  /// what the task says. `autoreset` as in eagerx_environments.h.
+  /// those of the task. `autoreset` as in eagerx_environments.h.
   Environments(const LibraryFunctions& library, std::uint32_t count, std::uint32_t first,
                std::uint64_t seed, std::uint32_t longest, std::uint32_t autoreset);
 
@@ -37,13 +37,13 @@ class Environments {
   /// Those whose byte in `mask` [count] is not 0 begin their next episode; only their rows of
   /// `observation` are written.
   void reset_some(const std::uint8_t* mask, float* observation);
-  /// False if a reward is not finite, and error() says which. The step is made.
+  /// False if a reward is not finite; see error(). The step is complete.
   [[nodiscard]] bool step(const float* action, const eagerx_rows& rows);
-  /// From the next reset on they are in this stage of the task; empty: the graph as it is written.
+  /// Sets the stage of the task from the next reset on; empty: the graph as written.
   void set_stage(const std::string& name);
-  /// The inputs of a training's critic, as eagerx_critic() gives them.
+  /// The inputs of a training's critic, as eagerx_critic() returns them.
   void critic(float* rows, float* final_rows);
-  /// How they are stepped, and what made that slower: "vectorized: 64 lanes (avx512)".
+  /// How they are stepped, and the reason if that is slow: "vectorized: 64 lanes (avx512)".
   std::string stepping() const;
   /// Why the last call of this thread was not as it should be.
   std::string error() const { return library_.error(); }

@@ -27,8 +27,8 @@ struct Problem : std::runtime_error {
 
 enum class For { people, eagerx_gen };
 
-/// Prints what is wrong, and what to do, to the standard error; for eagerx-gen, before that, the
-/// settings it is about. The exit code.
+/// Prints the problem and its fix to the standard error; for eagerx-gen, before that, the settings
+/// concerned. Returns the exit code.
 int tell(const std::exception& error, For whom = For::people);
 
 }  // namespace eagerx::client

@@ -1,4 +1,4 @@
-// Memory for what a step of some environments writes.
+// Memory for the results of a step of several environments.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace eagerx::client {
 
-/// Row k is that of environment k. What is empty is not written: terms and final observations, for
-/// who gives them no size.
+/// Row k is that of environment k. Empty members, such as terms and final observations of size 0,
+/// are not written.
 struct Rows {
   Rows(const Description& description, std::size_t environments)
       : observation(environments * description.observation_numbers()),
@@ -19,7 +19,7 @@ struct Rows {
         truncated(environments),
         success(environments) {}
 
-  /// For eagerx_step(), as long as nothing is given another size.
+  /// For eagerx_step(), valid until a member is resized.
   eagerx_rows pointers() {
     const auto place = [](auto& rows) { return rows.empty() ? nullptr : rows.data(); };
     return {.size = sizeof(eagerx_rows),

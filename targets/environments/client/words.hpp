@@ -1,4 +1,4 @@
-// Numbers for people, and words of a text.
+// Numbers in readable form, and words of a text.
 #pragma once
 
 #include <string>

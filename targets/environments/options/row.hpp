@@ -1,5 +1,5 @@
-// Options of the programs around a library of environments, as data: each program reads its command
-// line with its rows, and the command of eagerx-gen that starts it has the same ones.
+// Options of the programs around a library of environments, as data: a program reads its command
+// line with its rows, and the command of eagerx-gen that starts it uses the same rows.
 #pragma once
 
 #include <cstdint>

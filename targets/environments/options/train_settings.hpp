@@ -1,7 +1,8 @@
-// Settings of a training, each said once: the trainer reads its values with these rows, and
-// eagerx-gen checks `--settings FILE.yaml`, explains them and makes their schema with the same.
-// Names are those of Stable-Baselines3 for what means exactly the same there, else those of RSL-RL
-// or papers; `sb3` says how a value is written there. Former names: runtime/host/base/renamed.hpp.
+// Settings of a training, each defined once: the trainer reads its values with these rows, and
+// eagerx-gen uses them to check `--settings FILE.yaml`, to explain settings and to make their
+// schema. Names are those of Stable-Baselines3 for what means exactly the same there, else those of
+// RSL-RL or papers; `sb3` says how a value is written there. Former names:
+// runtime/host/base/renamed.hpp.
 #pragma once
 
 #include <cstdint>

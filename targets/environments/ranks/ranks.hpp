@@ -1,4 +1,4 @@
-// The processes that share a work: one, or those that mpirun has started.
+// The processes that share the work: one, or those that mpirun started.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace eagerx::environments {
 
-/// Rank 0 has library, checkpoint and table, and prints. The others compute, and send it what came
-/// of it. One thread at a time.
+/// Rank 0 has library, checkpoint and table, and prints. The others compute, and send it the
+/// results. Call it from one thread at a time.
 class Ranks {
  public:
   Ranks() = default;
@@ -34,16 +34,16 @@ class Ranks {
   /// Ends all of them.
   [[noreturn]] virtual void abort(int exit_code) = 0;
 
-  /// Called by all: `all` becomes what each has given, in the order of ranks; `sizes` [size()] are
-  /// known to all.
+  /// Called by all ranks: `all` receives the bytes of each, in the order of ranks; all ranks know
+  /// `sizes` [size()].
   virtual void gather(std::span<const char> mine, std::span<char> all,
                       std::span<const std::size_t> sizes) = 0;
-  /// Called by all: the piece of `out` for rank r goes to it, `out_sizes` [size()]. `in` becomes
-  /// the pieces for this rank, in the order of those that have given them, `in_sizes` [size()].
+  /// Called by all ranks: sends each rank its piece of `out`, `out_sizes` [size()]. `in` receives
+  /// the pieces for this rank, in the order of their senders, `in_sizes` [size()].
   virtual void exchange(std::span<const char> out, std::span<const std::size_t> out_sizes,
                         std::span<char> in, std::span<const std::size_t> in_sizes) = 0;
 
-  /// Called by all: the bytes of each, in the order of ranks, of whatever lengths.
+  /// Called by all ranks: the bytes of each, in the order of ranks, of any length.
   std::vector<std::string> gather(const std::string& mine);
   /// Called by all: whether it is so in one of them.
   bool is_any(bool here);
@@ -79,12 +79,12 @@ struct Share {
 /// Parts side by side, as many as other ranks have or one more.
 Share share_of(std::size_t parts, std::uint32_t rank, std::uint32_t ranks);
 
-/// A command line for other ranks, without the program's name, and what one of them makes of it: a
-/// command line of `name`, as long as `shared` lives.
+/// A command line for other ranks, without the program's name, and its reconstruction there: a
+/// command line of `name`, valid while `shared` lives.
 std::string words_of(int argc, const char* const* argv);
 std::vector<const char*> command_line(const char* name, const std::string& shared);
 
-/// A file of this process alone with these bytes, for what opens files. Throws client::Problem.
+/// A private file with these bytes, for functions that open files. Throws client::Problem.
 std::string file_of(const std::string& bytes);
 
 }  // namespace eagerx::environments

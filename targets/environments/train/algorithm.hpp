@@ -43,13 +43,13 @@ class Algorithm {
   virtual std::size_t parts() const { return 1; }
   /// Of all environments so far.
   std::uint64_t steps() const { return pace.time * environments(); }
-  /// How environments are stepped, and what made that slower.
+  /// How environments are stepped, and the reason if that is slow.
   virtual std::string stepping() const = 0;
 
-  /// From the next era on, environments are in this stage of the task; empty: as it is written.
+  /// Sets the stage of the task from the next era on; empty: the graph as written.
   virtual void set_stage(const std::string& name) = 0;
-  /// All environments begin anew, with episodes that nothing but the era and the seed decides. A
-  /// training that continues from here needs what was learnt and the iteration only.
+  /// Resets all environments, with episodes that depend on the era and the seed only. A training
+  /// that continues from here needs only the learned parameters and the iteration.
   virtual void begin_era() = 0;
   /// From now on actions are remembered, which go_on() needs in the middle of an era.
   virtual void remember_actions() = 0;
@@ -77,11 +77,11 @@ class Algorithm {
   /// Takes up a checkpoint. Throws Problem.
   virtual void restore(const std::string& bytes, const std::string& name,
                        const std::string& conditions, Progressed& progressed) = 0;
-  /// Begins with what another training has learnt. Throws Problem.
+  /// Starts from the parameters of another training. Throws Problem.
   virtual void begin_from(const std::string& bytes, const std::string& name,
                           const std::string& interface) = 0;
-  /// Learns from the table of a run, too. Returns what is to be said of it. Throws Problem, which
-  /// is all that an algorithm does that learns from its own steps only.
+  /// Also learns from the table of a run. Returns a message about it. Throws Problem; an algorithm
+  /// that learns only from its own steps always does.
   virtual std::string replay(const std::string& text, const std::string& name) = 0;
 };
 

@@ -1,4 +1,4 @@
-// Values as bytes, for checkpoints and other ranks.
+// Values as bytes, for checkpoints and for other ranks.
 #pragma once
 
 #include <cstdint>

@@ -56,8 +56,7 @@ std::string conditions(const Settings& settings, const std::string& contract_has
 /// "observations angle[2], actions voltage[1], layers 64,64".
 std::string interface_of(const Settings& settings, const Description& description);
 
-/// The critic's inputs besides the observations, for both: "; critic mass[1]". Empty:
-/// nothing.
+/// The critic's inputs other than the observations, for both: "; critic mass[1]". Empty: none.
 std::string critic_of(const Description& description);
 
 std::string checkpoint_of(const std::string& conditions, const std::string& interface,
@@ -65,8 +64,8 @@ std::string checkpoint_of(const std::string& conditions, const std::string& inte
 std::string checkpoint_of(const std::string& conditions, const std::string& interface,
                           const sac::Model& model, const Progressed& progressed);
 
-/// Refuse what restore() and begin_from() would, as far as it can be seen without a library: before
-/// it is built.
+/// Find errors of restore() and begin_from() that can be found without a library, before it is
+/// built.
 void check_resumed(const std::string& bytes, const std::string& name, const Settings& settings);
 void check_begun_from(const std::string& bytes, const std::string& name, const Settings& settings);
 
@@ -77,9 +76,9 @@ void restore(const std::string& bytes, const std::string& name, const std::strin
 void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
              sac::Model& model, Progressed& progressed);
 
-/// Fills `model` with what another training has learnt: actor, critic, deviation of the actions and
-/// statistics. Adam and its step size begin anew. Throws Problem as restore() does, and if the
-/// networks are of another interface.
+/// Fills `model` with the parameters of another training: actor, critic, deviation of the actions
+/// and statistics. Adam and its step size start from their initial state. Throws Problem like
+/// restore(), and if the networks have a different interface.
 void begin_from(const std::string& bytes, const std::string& name, const std::string& interface,
                 Model& model);
 void begin_from(const std::string& bytes, const std::string& name, const std::string& interface,

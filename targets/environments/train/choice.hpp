@@ -1,4 +1,4 @@
-// Choosing one of a few by the outputs of a network.
+// Discrete choices by the outputs of a network.
 #pragma once
 
 #include <eagerx/math.hpp>
@@ -8,7 +8,7 @@
 
 namespace eagerx::train {
 
-/// The probabilities that scores stand for: exp(score), divided by their sum.
+/// The probabilities of scores: exp(score), divided by their sum.
 class Choice {
  public:
   /// Of `scores` [count] of one sample.
@@ -29,7 +29,7 @@ class Choice {
   float log_probability(std::size_t j) const { return log_p_[j]; }
   float entropy() const { return entropy_; }
 
-  /// The one at `place`, 0 to 1, on a line of all that are as long as they are probable.
+  /// The choice at `place`, 0 to 1, in the cumulative distribution.
   std::size_t at(float place) const {
     std::size_t j = 0;
     for (; j + 1 < p_.size() && place >= p_[j]; ++j) place -= p_[j];

@@ -1,13 +1,12 @@
-// Where a training is in the stages of its task.
+// Position of a training in the stages of its task.
 #pragma once
 
 #include <cstdint>
 
 namespace eagerx::train {
 
-/// Each stage begins with an era of its own, so that all its episodes are of the stage, and a
-/// checkpoint in it needs nothing of those before. Without stages there is one, which began at
-/// once.
+/// Each stage begins a new era, so that all its episodes belong to the stage, and a checkpoint does
+/// not depend on earlier stages. Without stages, there is one that began at the start.
 struct Curriculum {
   std::uint32_t stage = 0;  // of the task; behind the last one: the graph as it is written
   std::uint32_t began = 0;  // in this iteration

@@ -33,7 +33,7 @@ std::string curve_svg(const std::vector<CurvePoint>& points, const std::string& 
 /// that has ended stays as it was.
 std::string curves_svg(const std::vector<std::vector<CurvePoint>>& trainings,
                        const std::string& title);
-/// The rows of curve_csv() of all, behind their seed.
+/// The rows of curve_csv() of all trainings, each after its seed.
 std::string curves_csv(const std::vector<std::vector<CurvePoint>>& trainings,
                        std::uint64_t first_seed);
 

@@ -1,4 +1,4 @@
-// The growing table of a training, or of several in parallel: whole at any time.
+// The growing table of one or more trainings in parallel, complete at any time.
 #pragma once
 
 #include <functional>
@@ -10,13 +10,12 @@ namespace eagerx::train {
 
 class CurveFile {
  public:
-  /// `path`: empty: there is none.
+  /// `path`: empty for no file.
   explicit CurveFile(std::string path) : path_(std::move(path)) {}
 
-  /// After an iteration, `now_s` after the start: writes what `text` makes, if that was a second
-  /// ago or never done. Returns why not, the first time that it fails; the next second it is tried
-  /// again.
-  /// By any thread; `text` is called by one at a time.
+  /// After an iteration, `now_s` after the start: writes the result of `text`, at most once a
+  /// second. Returns the reason the first time that it fails, and tries again after a second. Any
+  /// thread may call it; `text` is called by one thread at a time.
   std::string grow(double now_s, const std::function<std::string()>& text);
   /// The same at the end. Throws Problem.
   void write(const std::function<std::string()>& text);

@@ -1,4 +1,4 @@
-// How well a policy does on episodes that nothing was learnt from.
+// Evaluates a policy on episodes that are not used for learning.
 #pragma once
 
 #include <cstdint>
@@ -58,7 +58,8 @@ class Evaluator {
   environments::Share all() const { return {0, parts()}; }
 
   /// One episode in each environment of the parts `some`, the first of `seed`. Nothing is sampled.
-  /// `observations`: what is far from it is counted. `stage` of the task; empty: as it is written.
+  /// `observations`: observations far from these statistics are counted. `stage`: of the task;
+  /// empty: the graph as written.
   Evaluation run(const Policy& policy, std::uint64_t seed, const Statistics& observations,
                  const std::string& stage, environments::Share some);
 

@@ -1,4 +1,4 @@
-// A policy as a file that eagerx-gen reads, and answers to check it by.
+// Writes a policy as a file for eagerx-gen, with golden answers to check it.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace eagerx::train {
 
 /// safetensors: the layers as `policy.hidden.0.weight` …, `policy.action.bias`, a memory before
-/// them as `policy.memory.weight_ih_l0` …, and in the metadata what the policy was trained with:
+/// them as `policy.memory.weight_ih_l0` …, and in the metadata the conditions of the training:
 /// names and sizes of the observations, bounds of the actions, rate, hash of the graph's contract,
 /// seed, settings.
 std::string safetensors_of(const Policy& policy, const Description& description,

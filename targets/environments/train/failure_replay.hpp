@@ -1,4 +1,4 @@
-// Episodes that begin where a campaign's runs have failed.
+// Episodes that begin with the initial states of a campaign's failed runs.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@ class FailureReplay {
   std::vector<float> states_;  // [size][width]
 };
 
-/// Of a batch of environments, those that begin at hard starts in each of their episodes: what is
-/// set of a state that the graph does not sample would stay in the next episode.
+/// The environments of a batch that begin all of their episodes at the initial states of failures:
+/// a state that the graph does not sample would keep its value in the next episode.
 class ReplayedEnvironments {
  public:
   /// Numbers first … first + count - 1 of a training; `settings` say how many of them.

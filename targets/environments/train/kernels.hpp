@@ -1,5 +1,5 @@
-// The loops that take the time, compiled for several instruction sets. All give the same bits: the
-// order of sums is written down here, and nothing is fused.
+// The time-critical loops, compiled for several instruction sets. All give the same bits: this file
+// fixes the order of sums, and no operations are fused.
 #pragma once
 
 #include <cstddef>

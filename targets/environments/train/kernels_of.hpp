@@ -1,6 +1,5 @@
-// The kernels over registers of `Width` floats. Each instruction set compiles them in a file of its
-// own. All that is here depends on Width, so that no function of one file can be taken for
-// another's.
+// The kernels over registers of `Width` floats. Each instruction set compiles them in its own file.
+// Everything here depends on Width, so that the linker cannot merge functions of different files.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +33,8 @@ struct KernelsOf {
         weights + j * sizes.inputs, sizes.inputs, {}, sizes.inputs};
     policy::LaneOutputs<Outputs, Vector>::run(part, bias + j, x->lane, y[j].lane);
   }
-  /// With the sums of programs (eagerx/policy/lane_sums.hpp): what is trained is what is deployed.
+  /// Uses the sums of programs (eagerx/policy/lane_sums.hpp), so that the trained network is the
+  /// deployed one.
   static void dense(DenseSizes sizes, const float* weights, const float* bias, const Simd* x,
                     Simd* y) {
     constexpr std::size_t kOutputs = policy::kOutputsAtATime;

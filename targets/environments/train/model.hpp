@@ -17,7 +17,7 @@ inline constexpr float kHalfLogTwoPi = 0.9189385F;
 
 /// Actor and critic with all that the next update depends on.
 struct Model {
-  /// `inputs` of the actor; the critic sees `more` behind them.
+  /// `inputs` of the actor; the critic has `more` after them.
   Model(const Settings& settings, std::size_t inputs, const Head& head, std::size_t more = 0)
       : actor(inputs, settings.net_arch, head.outputs, settings.activation_fn,
               {settings.rnn, settings.rnn_hidden_size}),

@@ -1,4 +1,4 @@
-// Which policy of a training is the best, and whether it is good.
+// Selects the best policy of a training, and decides whether it is good.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +18,12 @@ class ModelSelection {
 
   /// Whether something says when a policy is good.
   bool has_aim() const { return has_aim_; }
-  /// Whether it is time for evaluate(): every few iterations, and where episodes are long, so
-  /// rarely that evaluations take no more steps than learning, or a twentieth of it is learnt
-  /// before one is late. It depends on the curve alone, so a resumed training does the same.
+  /// Whether evaluate() is due: every few iterations or, if episodes are long, so rarely that
+  /// evaluations take no more steps than learning, but at least after each twentieth of all steps.
+  /// It depends on the curve alone, so a resumed training evaluates at the same times.
   bool is_due(const std::vector<CurvePoint>& curve) const;
-  /// Evaluates what was learnt: fills its part of `point` and, if nothing was better, `best`.
-  /// Returns whether it is good, in episodes that did not choose it, too.
+  /// Evaluates the current policy: fills its part of `point` and, if it is the best so far, `best`.
+  /// Returns whether it is good, also in episodes that were not used to select it.
   bool evaluate(const Algorithm& algorithm, Best& best, CurvePoint& point);
   /// The learned model, in a stage of the task.
   Evaluation evaluate_in(const std::string& stage, const Algorithm& algorithm);

@@ -1,5 +1,5 @@
-// A network of dense layers with tanh or relu between them, and a memory before them if there is
-// one, forward and backward.
+// A network of dense layers with tanh or relu between them, and an optional memory before them,
+// forward and backward.
 #pragma once
 
 #include <eagerx/random.hpp>
@@ -12,8 +12,8 @@
 
 namespace eagerx::train {
 
-/// The shape of a network; its parameters are floats of the caller. Work on a tile (sixteen
-/// samples) is a row of SIMD vectors: [inputs | what is the memory's | hidden 1 | … | outputs].
+/// The shape of a network; its parameters are floats of the caller. The scratch data of a tile
+/// (sixteen samples) is a row of SIMD vectors: [inputs | memory | hidden 1 | … | outputs].
 class Network {
  public:
   struct Layer {
@@ -41,7 +41,7 @@ class Network {
   /// [parameters], normal with a deviation of 1/√inputs, in the last layer `gain` times that.
   std::vector<float> sampled(Random random, float gain) const;
 
-  /// Fills the rest of `row`, whose inputs and state before are there. The outputs have no
+  /// Fills the rest of `row`, which has the inputs and the previous state. The outputs have no
   /// activation.
   void forward(const Kernels& kernels, const float* parameters, Simd* row) const;
 

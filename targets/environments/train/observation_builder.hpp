@@ -1,4 +1,4 @@
-// The rows that networks learn from: observations, then what only the critic sees.
+// The rows that networks learn from: observations, then the inputs of the critic only.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace eagerx::train {
 
-/// Puts together what the library writes into `rows`, which live longer. Where the critic sees
-/// nothing but observations, these are all.
+/// Combines the results of the library in `rows`, which must outlive this. If the critic has only
+/// observations, no other columns exist.
 class ObservationBuilder {
  public:
   ObservationBuilder(const Description& description, Rows& rows)
@@ -42,7 +42,7 @@ class ObservationBuilder {
     environments.critic(nullptr, critic_.data());
     put_together(rows_.final_observation, own_final_);
   }
-  /// An episode ends with what is seen now.
+  /// Ends an episode with the current rows.
   void end(std::size_t environment) {
     const std::size_t first = environment * width();
     std::copy_n(now() + first, width(), at_end() + first);

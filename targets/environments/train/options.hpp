@@ -43,8 +43,8 @@ struct Options {
 /// Throws Problem with kUsage.
 Options parse_options(int argc, const char* const* argv);
 
-/// The problem with its settings in the words that gave them, for eagerx-gen, which knows where
-/// they stand in a file; without any unless requested (--check). `words`: of a case.
+/// Adds to a problem the words of its settings, for eagerx-gen, which knows their places in a file;
+/// none unless requested (--check). `words`: those of a case.
 Problem in_words_of(Problem problem, const Options& options, const std::string& words = {});
 
 /// The text of --help.

@@ -1,4 +1,4 @@
-// How long the iterations of a training are, and when all environments begin anew.
+// Length of a training's iterations, and when all environments are reset.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace eagerx::train {
 
 inline constexpr std::uint32_t kLongest = 1000;  // steps of an episode that nothing ends
 
-/// Where a training is: a function of its settings and the number of iterations. The first
+/// The progress of a training: a function of its settings and the number of iterations. The first
 /// iterations are short, because an untrained policy learns much from few steps. Later ones are
-/// longer: what is to be learnt then is finer than the noise of few steps.
+/// longer, because the remaining improvements are smaller than the noise of few steps.
 struct Pace {
   /// An iteration has a multiple of `least_steps` of each environment, and no more than the larger
   /// of both. An era has at least `steps_of_era`.
@@ -42,7 +42,7 @@ struct Pace {
     since_era += steps;
     if (since_era >= era_steps) end_era();
   }
-  /// All environments begin anew with the next iteration.
+  /// Resets all environments with the next iteration.
   void end_era() {
     if (since_era == 0) return;
     since_era = 0;

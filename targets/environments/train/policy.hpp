@@ -1,4 +1,4 @@
-// A policy as it is deployed: observations as they are, actions in their bounds or chosen.
+// A policy as deployed: raw observations, actions within their bounds or chosen.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct Head {
   void act(const Simd* answers, std::size_t lane, float* action) const;
 };
 
-/// (x - mean) / deviation, at most eight deviations: what the networks see while they learn.
+/// (x - mean) / deviation, clipped to eight deviations: the inputs of the networks during training.
 class Normaliser {
  public:
   explicit Normaliser(const Statistics& statistics);
@@ -43,9 +43,9 @@ class Normaliser {
 std::vector<float> folded(const Network& actor, std::vector<float> parameters,
                           const Statistics& statistics);
 
-/// Changes the first layer so that the network answers as before once its inputs are normalised by
-/// `after` instead of `before`: what is learnt must not move with a running mean (as van Hasselt
-/// and others 2016 do for outputs). Inputs behind those of the statistics stay as they are.
+/// Changes the first layer so that the network gives the same answers when its inputs are
+/// normalized by `after` instead of `before`: the policy must not change with a running mean (like
+/// van Hasselt et al. 2016 for outputs). Inputs after those of the statistics are unchanged.
 void keep_answers(const Network& network, std::vector<float>& parameters, const Statistics& before,
                   const Statistics& after);
 
@@ -55,8 +55,9 @@ struct Policy {
   Head head;
 
   /// Outputs, in -1…1 unless they choose, for sixteen observations: rows [16][inputs]. `row`
-  /// [network.row()] is scratch, and has the answers at network.output(). What the network
-  /// remembers is in it, too: it is 0 when episodes begin, and left as it is between their steps.
+  /// [network.row()] is scratch, and has the answers at network.output(). It also contains the
+  /// state of the network, which must be 0 at the start of episodes and unchanged between their
+  /// steps.
   void answer(const Kernels& kernels, const float* rows, Simd* row) const;
 };
 

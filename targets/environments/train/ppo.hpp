@@ -1,4 +1,4 @@
-// Proximal policy optimisation on many environments.
+// Proximal policy optimization on many environments.
 #pragma once
 
 #include <functional>
@@ -13,9 +13,9 @@
 
 namespace eagerx::train {
 
-/// The share of the actor in the policy, its running mean, after this iteration, counted
-/// from 0: a mean of all at first, of the last ones then, and later of a growing tail, as Polyak's.
-/// The longer a training takes, the finer is what it still learns.
+/// The share of the actor in the policy, its running mean, after this iteration, counted from 0: at
+/// first a mean of all iterations, then of the last ones, and later of a growing tail, like
+/// Polyak's. The longer a training runs, the smaller its improvements.
 float share_of_actor(const Settings& settings, std::uint32_t iteration);
 
 class Ppo : public Algorithm {
@@ -51,8 +51,8 @@ class Ppo : public Algorithm {
  private:
   /// Of this rank.
   Rollout& rollout(std::size_t part) const { return static_cast<Rollout&>(*parts_[part]); }
-  /// work(part) for each of this rank's, at once if the library can. Then every rank has seen what
-  /// all have.
+  /// Calls work(part) for each part of this rank, in parallel if the library supports it.
+  /// Afterwards every rank has the statistics of all.
   void in_parts(const std::function<void(std::size_t part)>& work);
   std::vector<Episode> collect();
   std::size_t minibatches() const;
@@ -67,13 +67,13 @@ class Ppo : public Algorithm {
   void average();
   void see();
   bool is_frozen() const;
-  /// From 1 down, of the learning rate and of what keeps it.
+  /// Factor from 1 down, for the learning rate and its target.
   float decay() const;
-  /// Of a part in this era, whose last iteration is over.
+  /// Number of actions of a part in this era, after its last iteration.
   std::size_t actions_of_part() const;
   /// All of them, or fewer if they are not remembered.
   std::vector<float> actions() const;
-  /// actions() gives these from now on, if they are as many.
+  /// Makes actions() return these from now on, if their number is right.
   void take_up(const std::vector<float>& actions);
 
   const Settings settings_;

@@ -11,11 +11,11 @@
 
 namespace eagerx::train {
 
-/// Sets what the preset of this name sets and the user has not (`options.given`), and its
-/// algorithm. Throws Problem with kUsage if there is none, or the user chose another algorithm.
+/// Sets the preset's settings that the user has not set (`options.given`), and its algorithm.
+/// Throws Problem with kUsage if the name is unknown, or if the user chose another algorithm.
 void apply_preset(Options& options);
 
-/// Which preset may suit a graph whose training has not succeeded; empty: nothing says so.
+/// The preset that may suit a graph whose training has not succeeded; empty if there is none.
 std::string preset_advice(const Options& options, const client::Description& description,
                           const std::vector<CurvePoint>& curve);
 

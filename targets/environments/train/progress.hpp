@@ -1,4 +1,4 @@
-// How far the training is, for people.
+// Progress of a training on the terminal.
 #pragma once
 
 #include <chrono>
@@ -10,18 +10,19 @@
 
 namespace eagerx::train {
 
-/// On a terminal one line that is written anew each second, elsewhere one more line every five
-/// seconds. Goes to stderr.
+/// On a terminal, one line that is rewritten each second; elsewhere a new line every five seconds.
+/// Goes to stderr.
 class Progress {
  public:
   /// `name`: of one of several parallel trainings, whose lines begin with it and are not
-  /// written over. Empty: there is one only.
+  /// overwritten. Empty: a single training.
   Progress(std::uint64_t first_step, std::uint64_t last_step, bool has_success, bool is_quiet,
            std::string name = {});
 
-  /// `point`: the last iteration; `stage`: in which it was, in words; empty: there are none.
+  /// `point`: the last iteration; `stage`: its stage, in words; empty without stages.
   void show(const CurvePoint& point, const std::string& stage = {});
-  /// A line of its own, behind which episodes are others: the last return is forgotten.
+  /// Prints a separate line, and forgets the last return, because later episodes are from another
+  /// stage.
   void begin_stage(const std::string& line);
   /// A line of its own.
   void say(const std::string& line);

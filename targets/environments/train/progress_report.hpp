@@ -1,4 +1,4 @@
-// The progress of a training on the terminal: its line, its table, its events.
+// Reports of a training on the terminal: its line, its table, its events.
 #pragma once
 
 #include <functional>
@@ -18,8 +18,8 @@ namespace eagerx::train {
 
 class ProgressReport {
  public:
-  /// A table that several trainings write: where, and what it has so far with the curve of this
-  /// one. And their record.
+  /// The file and current text of a table that several trainings write, with the curve of this one;
+  /// and their record.
   struct SharedTable {
     CurveFile* file = nullptr;  // nullptr: the training has one of its own
     std::function<std::string(const std::vector<CurvePoint>&)> text = curve_csv;
@@ -44,7 +44,7 @@ class ProgressReport {
   void warn(const std::string& problem, const char* continues);
   /// The table at the end. Throws Problem.
   void write_table(const std::vector<CurvePoint>& curve);
-  /// The record of a training that is over.
+  /// The record of a completed training.
   Record& record() { return record_; }
   double seconds() const { return progress_.seconds(); }
 

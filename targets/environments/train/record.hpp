@@ -1,5 +1,5 @@
-// The record of a training for `eagerx-gen report --training`: a file of JSON, an object a line,
-// that is whole at any time.
+// The record of a training for `eagerx-gen report --training`: a file with one JSON object per
+// line, complete at any time.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,17 @@
 
 namespace eagerx::train {
 
-/// First a line that says what is trained. Then, of each training, one for each iteration, with the
-/// names of curve_csv() for its columns, and `terms` of an evaluation; at last one with `ended`.
-/// A training without that line is running, or was killed. By any thread.
+/// First a line that describes the training. Then, for each training, a line for each iteration,
+/// with the names of the columns of curve_csv(), and `terms` of an evaluation; at the end a line
+/// with `ended`. A training without that line is running, or was killed. Any thread may write.
 class Record {
  public:
-  /// Of one training, or of all `options.seeds`. Without `options.record` there is none.
+  /// The record of one training, or of all `options.seeds`. Writes nothing without
+  /// `options.record`.
   Record(const Options& options, const Description& description);
 
   /// After an iteration, the last point of `curve`; `seen`: the last evaluation of this run.
-  /// Returns what CurveFile::grow() does.
+  /// Returns the result of CurveFile::grow().
   std::string grow(std::uint64_t seed, double now_s, const std::vector<CurvePoint>& curve,
                    const Evaluation& seen);
   /// At the end of a training whose policy is written. Throws Problem.

@@ -1,4 +1,4 @@
-// Steps of some environments under the current policy, and what is to be learnt from them.
+// Steps of some environments under the current policy, and the samples to learn from.
 #pragma once
 
 #include <algorithm>
@@ -31,10 +31,10 @@ struct Frozen {
   Pace pace;
 };
 
-/// One of kParts parts of the environments: some tiles of sixteen, or one of fewer. What is learnt
-/// from is in sequences, of bptt_steps or without a memory of one step, sixteen side by
-/// side, in order of time: those of a tile, or of a smaller one several in a row of time. So
-/// [simds] is [sequences / 16][steps of a sequence].
+/// One of kParts parts of the environments: some tiles of sixteen, or one of fewer. Samples are in
+/// sequences, of bptt_steps or, without memory, of one step, sixteen side by side, in order of
+/// time: those of a tile, or of a smaller one several consecutive ones. So [simds] is [sequences /
+/// 16][steps of a sequence].
 class Rollout final : public RolloutStatistics {
  public:
   Rollout(const Settings& settings, const Library& library, const Head& head, std::uint32_t longest,
@@ -49,10 +49,10 @@ class Rollout final : public RolloutStatistics {
   /// Steps all environments, which have just been reset, with `again` [steps][count][numbers] once
   /// more. They are then where they were when the last of these had been taken.
   void replay(const std::vector<float>& again, float discount);
-  /// The networks remember of all environments what was in `remembered` once.
+  /// Restores the states of the networks for all environments from an earlier `remembered`.
   void recall(const float* states);
 
-  /// How environments are stepped, and what made that slower.
+  /// How environments are stepped, and the reason if that is slow.
   std::string stepping() const { return environments_.stepping(); }
   std::size_t tiles() const { return (count_ + kLanes - 1) / kLanes; }
   /// The training data, after collect().
@@ -63,7 +63,7 @@ class Rollout final : public RolloutStatistics {
   Simds log_probability;    // [simds] of the actions
   Simds advantage, target;  // [simds] target of the critic
   Simds continues;          // [simds] 1 where the episode went on behind the step, 0 where it ended
-  /// [sequences / 16][state] what was remembered at the beginning of each sequence.
+  /// [sequences / 16][state] the state at the beginning of each sequence.
   Simds actor_starts, critic_starts;
   bool remembers = false;  // in `taken`
   Spent spent;             // by all that this part has done

@@ -1,4 +1,4 @@
-// The checkpoint of a training, written again and again.
+// The checkpoint of a training, rewritten regularly.
 #pragma once
 
 #include <chrono>
@@ -13,14 +13,14 @@ namespace eagerx::train {
 
 class Saving {
  public:
-  /// `path` empty: nothing is written. `bytes` makes the checkpoint as of now.
+  /// `path` empty: writes nothing. `bytes` makes the current checkpoint.
   Saving(std::string path, double every_s, std::function<std::string()> bytes);
 
   bool is_wanted() const { return !path_.empty(); }
   /// Returns why it could not be written, if so.
   std::optional<Problem> save();
-  /// If it `must`, or it was long ago. Returns what is to be said: why it could not be written, the
-  /// first time. A disk that is full now may have room in a minute.
+  /// Writes if it `must`, or if the last checkpoint is old enough. Returns a problem the first time
+  /// that it cannot be written: a full disk may have room again a minute later.
   std::optional<Problem> save_if_due(bool must);
 
  private:

@@ -8,9 +8,9 @@
 
 namespace eagerx::train {
 
-/// Trains with the seeds settings.seed … + seeds - 1, in parallel. Each writes a policy and a
-/// checkpoint of its own, the best policy is also that of --output; curve and table have all.
-/// Returns an exit code: 0 if all have succeeded. Throws Problem as Training does.
+/// Trains with the seeds settings.seed … + seeds - 1, in parallel. Each writes its own policy and
+/// checkpoint, the best policy is also that of --output; curve and table contain all. Returns an
+/// exit code: 0 if all have succeeded. Throws Problem as Training does.
 int train_seeds(const Options& options, const Library& library, const Interrupt& is_interrupted);
 
 /// "policy.safetensors", 3 → "policy.seed3.safetensors".

@@ -29,7 +29,8 @@ struct Settings {
   std::string algorithm = "ppo";  // or "sac"
   sac::Settings sac;
   std::uint64_t seed = 1;
-  /// It does not end before the mean return of the evaluation is this, whatever `success:` says.
+  /// The training does not end before the mean return of the evaluation reaches this, regardless of
+  /// `success:`.
   double until_return = -std::numeric_limits<double>::infinity();
 
   std::vector<std::size_t> net_arch;  // widths, of actor and critic
@@ -106,8 +107,8 @@ std::vector<Difference> differences(std::string_view theirs, std::string_view ou
 std::string difference(std::string_view theirs, std::string_view ours);
 std::string text_of(const std::vector<Difference>& differences);
 
-/// A training is cut into this number of parts, whatever the number of threads: sums are made
-/// within parts, then over them in order.
+/// A training is cut into this number of parts, regardless of the number of threads: sums run
+/// within parts, then over the parts in order.
 inline constexpr std::size_t kParts = 8;
 
 }  // namespace eagerx::train

@@ -1,4 +1,4 @@
-// Signs of what holds a training that does not succeed, in words.
+// Diagnoses why a training does not succeed, in words.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Where the time of a training goes.
+// Time that a training spends on each activity.
 #pragma once
 
 #include <time.h>
@@ -11,7 +11,7 @@ namespace eagerx::train {
 class Stopwatch {
  public:
   double seconds() const { return now_s() - begin_s_; }
-  /// And begins anew.
+  /// Returns the time since the last call, and restarts.
   double lap() {
     const double end_s = now_s(), passed_s = end_s - begin_s_;
     begin_s_ = end_s;

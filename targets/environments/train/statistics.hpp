@@ -46,7 +46,7 @@ struct Statistics {
     for (double& one : squares) one *= most / count;
     count = most;
   }
-  /// 1 / deviation. 1 for what never changes, which no scale would help.
+  /// 1 / deviation; 1 for a constant, which no scale would help.
   double scale(std::size_t i) const {
     const double variance = count > 0.0 ? squares[i] / count : 0.0;
     const double least = 1e-12 * mean[i] * mean[i];  // float's rounding alone

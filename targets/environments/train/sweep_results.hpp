@@ -1,4 +1,4 @@
-// The results of a sweep's trainings in a file, so that none is made twice.
+// The results of a sweep's trainings in a file, so that none is repeated.
 #pragma once
 
 #include <cstdint>
@@ -26,14 +26,14 @@ struct SweepRow {
 /// there.
 class SweepResults {
  public:
-  /// Reads what is there. Throws Problem if that is no such file.
+  /// Reads the existing file. Throws Problem if it is not a file of results.
   explicit SweepResults(std::string path);
 
   /// Of a training, or nullptr.
   const SweepRow* find(std::string_view training) const;
   std::size_t size() const { return rows_.size(); }
-  /// Adds a row and writes the file. Returns why not, if so: the row is there, and a later add() or
-  /// write() writes it, too.
+  /// Adds a row and writes the file. Returns the reason if it cannot be written: the row is kept,
+  /// and a later add() or write() writes it.
   std::string add(SweepRow row);
   /// Takes the rows that others have written, too. Throws Problem.
   void write();

@@ -1,4 +1,4 @@
-// The table of a sweep: a line for each of its settings.
+// The table of a sweep: one line for each combination of settings.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace eagerx::train {
 
-/// One of a sweep's settings, and what came of its seeds.
+/// One combination of a sweep's settings, and the results of its seeds.
 struct SweepCase {
   std::string settings;  // "learning_rate=0.001 layers=64,64"
   std::vector<const SweepRow*> rows;

@@ -28,16 +28,16 @@ Scalars scalars_of(const CurvePoint& point);
 /// Throws Problem if such a folder cannot be made. Changes nothing.
 void check_folder(const std::string& folder);
 
-/// A file in a folder. A resumed training writes its own anew, with the points that it has.
-/// ParallelRuns the curve of another one it is in a folder of its own, `run2`: TensorBoard takes
-/// all files of a folder for one curve.
+/// A file in a folder. A resumed training rewrites its own file, with its points. Next to the curve
+/// of another training, it uses a separate folder, `run2`: TensorBoard takes all files in a folder
+/// for one curve.
 class EventFile {
  public:
   /// Makes the folder and the file. Throws Problem if that is not possible.
   EventFile(const std::string& folder, const std::string& graph,
             const std::vector<CurvePoint>& curve = {});
 
-  /// Where it is.
+  /// The folder of the file.
   const std::string& folder() const { return folder_; }
   void append(const CurvePoint& point, const Scalars& more = {});
   /// Why something could not be written; empty: all was.

@@ -28,7 +28,7 @@ class Training {
   /// ranks, which all come to the same; rank 0 alone writes and prints.
   int run(const Stop& stop);
 
-  /// Of what run() has written.
+  /// The curve that run() has written.
   const std::vector<CurvePoint>& curve() const { return progressed_.curve; }
   const Evaluation& evaluation() const { return last_; }
   /// The best policy and its known answers. Throws Problem.

@@ -7,7 +7,7 @@
 
 namespace eagerx::linux_sim {
 
-/// `Base`: RunWatch, or what is derived from it.
+/// `Base`: RunWatch, or a class derived from it.
 template <class Base>
 class AgentWatch final : public Base {
  public:

@@ -1,4 +1,4 @@
-// A graph's program as DDS has to know it.
+// Description of a graph's program for DDS.
 #pragma once
 
 #include <runtime/host/dds/topics.hpp>

@@ -15,33 +15,33 @@
 
 namespace eagerx::linux_sim {
 
-/// Writes the observations of a step, with a time that no other step has, and waits for the actions
-/// with this time. What is not an action is refused and counted.
+/// Writes the observations of a step with a unique time, and waits for the actions with this time.
+/// Invalid actions are rejected and counted.
 class RemoteAgent {
  public:
   /// `zero`: an action of `bytes` that does nothing.
   RemoteAgent(const Options& options, const GraphFacts& facts, const Fields& fields,
               const void* zero, std::size_t bytes);
 
-  /// Empty, or what is wrong.
+  /// Empty, or the problem.
   std::string open();
-  /// Until there is an agent. Empty, also after a signal, or what is wrong.
+  /// Waits for an agent. Empty, also after a signal, or the problem.
   std::string wait_for_agent();
 
   void begin(std::uint32_t episode) { episode_ = episode; }
   /// The action of step `step` (from 0). Waits until `until_ns` of the monotonic clock if that is
-  /// not 0, and then the last action stays; otherwise for as long as the agent may take.
+  /// not 0, after which the last action stays; otherwise up to the agent's time-out.
   const void* act(Seq step, ObservationRow observations, std::int64_t until_ns);
   /// Steps in a row, up to the last, without an action in time.
   std::uint64_t missed_in_a_row() const { return missed_in_a_row_; }
 
   bool failed() const { return !problem_.empty(); }
   const std::string& problem() const { return problem_; }
-  /// Tells what was refused.
+  /// Reports rejected actions.
   void finish(Summary& summary);
 
  private:
-  /// An action, and what is known of it in this step.
+  /// An action, and its state in this step.
   struct Input {
     const Field* field;
     std::string topic;
@@ -54,13 +54,13 @@ class RemoteAgent {
     std::vector<double> numbers{};  // [most][size]
   };
 
-  /// Those of this step that are not written. False: there is no room for one, as long as earlier
-  /// ones are in flight.
+  /// Writes the remaining observations of this step. False if there is no room for one while
+  /// earlier ones are in flight.
   bool write(ObservationRow observations);
-  /// Takes what has come. True: all actions are there.
+  /// Reads actions that have arrived. True once all have.
   bool take_all();
   void check(Input& input, dds::Stamp when, std::span<const double> numbers);
-  /// Null, or what is wrong with its numbers.
+  /// Null, or the counter for the problem of its numbers.
   std::uint64_t* wrong_with(const Field& field, std::span<const double> numbers);
   void look_for_strangers();
   std::string silence(const std::string& what) const;

@@ -1,5 +1,5 @@
-// An external agent, such as Python's: it has the other end of a socket. The loop
-// waits for it for a part of a period only, and what it does without it is safe.
+// An external agent, such as Python's, at the other end of a socket. The loop waits for it for a
+// part of a period only, and then applies a safe action.
 #pragma once
 
 #include <cstddef>
@@ -25,10 +25,10 @@ class ExternalAgent {
   ExternalAgent& operator=(const ExternalAgent&) = delete;
   ~ExternalAgent();
 
-  /// Looks at the socket. Empty, or what is wrong.
+  /// Checks the socket. Empty, or the problem.
   std::string open();
 
-  /// Memory for what the agent sees next.
+  /// Memory for the agent's next observation.
   ObservationRow observation() { return {seen_.data(), sizes_.data()}; }
   /// The action applied in the step whose observation comes next.
   void applied(const void* action) { rows_.write_action(action, applied_row()); }
@@ -36,11 +36,11 @@ class ExternalAgent {
   /// `is_longest`: there are no more steps in an episode.
   void step(Seq step, bool has_ended, bool is_longest, const OutcomeView& outcome);
 
-  /// Answers, and waits for what comes next. In an episode that is an action: for as long as it is
-  /// in time, where time passes without it, else for ever. Between episodes it is a reset. False:
-  /// the run ends.
+  /// Answers, and waits for the next request. In an episode this is an action: waits until it would
+  /// be late if time does not wait for it, otherwise forever. Between episodes it is a reset.
+  /// False: the run ends.
   bool go_on();
-  /// Whether an episode is over because the agent wants another one.
+  /// Whether an episode ends because the agent requests another one.
   bool wants_reset() const { return wants_reset_; }
   /// The action of the next step: the agent's, or its last one if it is late.
   const void* action() const { return action_.data(); }
@@ -49,7 +49,7 @@ class ExternalAgent {
 
   /// The key of an episode that begins: of the seed that the agent gave.
   EpisodeKey key(EpisodeKey planned);
-  /// Puts the states that the agent gave instead of sampled ones. False: there are none.
+  /// Replaces sampled states with those of the agent. False if there are none.
   bool apply_states(StateRow states);
   /// The same of parameters that it gave since the last step.
   bool apply_parameters(StateRow states);

@@ -39,9 +39,10 @@ class ExternalRows {
   void write_action(const void* action, float* row) const;
   /// NaN for messages that are not there; 0 in types that have none.
   void write_observation(ObservationRow observation, float* row) const;
-  /// The problem of a row of states, or nothing. `sampled`: whether the graph gives each a value.
+  /// The problem of a row of states, or an empty text. `sampled`: whether the graph gives each a
+  /// value.
   std::string problem_of_states(const float* row, const bool* sampled) const;
-  /// The same of what is set while an episode runs.
+  /// The same for parameters that are set during an episode.
   std::string problem_of_parameters(const float* row) const;
   /// Puts the numbers of a row that are not NaN into `states`.
   void read_states(const float* row, StateRow states) const;

@@ -1,4 +1,4 @@
-// Watches a run whose agent has the other end of a socket.
+// Watches a run whose agent is at the other end of a socket.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace eagerx::linux_sim {
 
-/// `Base`: RunWatch, or what is derived from it. The agent has its answer before the step is waited
-/// for, so that it has the whole period for its action.
+/// `Base`: RunWatch, or a class derived from it. The agent gets its answer before the wait for the
+/// step, so that it has the whole period for its action.
 template <class Base>
 class ExternalWatch final : public Base {
  public:

@@ -1,5 +1,5 @@
-// Protocol between a program and an external agent: datagrams over a socket that both
-// have from the beginning. Both are on one machine, so numbers are as it has them.
+// Protocol between a program and an external agent: datagrams over a socket that both inherit. Both
+// run on one machine, so numbers have the machine's native format.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace eagerx::linux_sim {
 
-/// Of what is written here; the first thing that an agent looks at.
+/// Version of this protocol, which an agent checks first.
 inline constexpr std::uint32_t kExternalVersion = 3;
 
 /// The requests of an agent; each is answered once.
@@ -22,7 +22,7 @@ enum class Ask : std::uint32_t {
   tune = 8       // parameters before the next step; behind it a row of states, NaN: as it is
 };
 
-/// A request of an agent; behind it a row of float32.
+/// A request of an agent, followed by a row of float32.
 struct Request {
   Ask ask;
   std::uint32_t number;  // first byte of a piece; of a reset whether there is a seed
@@ -49,7 +49,7 @@ static_assert(sizeof(Answer) == 48);
 
 inline constexpr std::uint32_t kTerminated = 1, kTruncated = 2, kSuccess = 4;
 
-/// Bytes behind a request or an answer: a socket takes them without more than its defaults.
+/// Maximum bytes after a request or an answer, which fit into a socket with default settings.
 inline constexpr std::size_t kLongestRow = std::size_t{1} << 17U;
 inline constexpr std::size_t kLongestPiece = std::size_t{1} << 16U;
 

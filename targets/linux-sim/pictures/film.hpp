@@ -18,12 +18,11 @@ class Film {
   Film& operator=(const Film&) = delete;
   ~Film();
 
-  /// Starts ffmpeg for pictures of red, green, blue at `rate` a second ("30/1"). Empty, or what is
-  /// wrong.
+  /// Starts ffmpeg for RGB pictures at `rate` per second ("30/1"). Empty, or the problem.
   std::string open(const std::string& path, int width, int height, const std::string& rate);
-  /// False when ffmpeg takes no more: finish() says why.
+  /// False if ffmpeg accepts no more pictures: see finish().
   bool write(const std::uint8_t* pixels, std::size_t bytes);
-  /// Waits for ffmpeg. Empty, or what is wrong; then there is no file.
+  /// Waits for ffmpeg. Empty, or the problem; there is then no file.
   std::string finish();
 
  private:

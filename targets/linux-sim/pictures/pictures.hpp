@@ -14,20 +14,20 @@ namespace eagerx::linux_sim {
 class Pictures {
  public:
   virtual ~Pictures() = default;
-  /// Before the run. `rate`: pictures a second, "30/1". Empty, or what is wrong.
+  /// Call it before the run. `rate`: pictures per second, "30/1". Empty, or the problem.
   virtual std::string open(const Rendering& wanted, const std::string& title,
                            const std::string& rate) = 0;
   bool is_on() const { return is_on_; }
   virtual bool has_window() const = 0;
-  /// Whether somebody has closed the window, or a picture could not be written.
+  /// Whether the user has closed the window, or a picture could not be written.
   bool ends_run() const { return ends_run_; }
-  /// Nanoseconds for which time stood still at the window, since the last time that was asked.
+  /// Nanoseconds of pauses in the window since the last call.
   virtual std::int64_t take_paused_ns() = 0;
   /// How much faster than requested the run should be, as a power of two.
   int speed() const { return speed_; }
 
-  /// With `asked`: [height][width][3] of what was shown last, white before that; null: nothing is
-  /// kept. `paints`: else what was painted the last time.
+  /// With `asked`: the last picture, [height][width][3], white before the first one; null if none
+  /// is kept. `paints`: paints the last scene, otherwise returns the last painted picture.
   virtual const std::uint8_t* kept(bool paints) = 0;
 
   /// Shows a scene of [rows][kSceneColumns], if the pictures are on.
@@ -35,7 +35,7 @@ class Pictures {
   /// The same of an image of [height][width][channels].
   virtual void show_image(const std::uint8_t* image, int width, int height, int channels) = 0;
 
-  /// Behind the run. Empty, or what is wrong: then the film, or the picture, is not there.
+  /// Call it after the run. Empty, or the problem: there is then no film or picture.
   virtual std::string close() = 0;
   std::uint64_t count() const { return count_; }
   /// Of all pixels so far: equal on every machine.

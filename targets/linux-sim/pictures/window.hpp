@@ -1,4 +1,4 @@
-// A window, through SDL 2 if that is installed: it is looked for when the program runs.
+// A window, through SDL 2 if it is installed: the program looks for it at run time.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class Window {
   Window& operator=(const Window&) = delete;
   ~Window();
 
-  /// Empty, or what is wrong.
+  /// Empty, or the problem.
   std::string open(const std::string& title, int width, int height);
   void show(const std::uint8_t* pixels);
   /// The input since the last call; waits for at most `wait_ms`.

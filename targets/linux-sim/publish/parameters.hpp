@@ -10,9 +10,9 @@
 
 namespace eagerx::linux_sim {
 
-/// States have the names of `--set`, such as `pendulum.theta`: what is set holds for all resets
-/// from the next one on. Actions have those of their channels, such as `environment/voltage`: what
-/// is set replaces the agent's, until it is set to nothing or its client disconnects.
+/// States have the names of `--set`, such as `pendulum.theta`: a value applies from the next reset
+/// on. Actions have the names of their channels, such as `environment/voltage`: a value replaces
+/// the agent's, until it is removed or its client disconnects.
 class Parameters final : public foxglove::Steering {
  public:
   using ClientId = web_socket::ClientId;

@@ -21,8 +21,8 @@
 
 namespace eagerx::linux_sim {
 
-/// The loop writes into a ring and never waits for anybody: what does not fit is dropped and
-/// counted. One thread takes it from there and sends it to all destinations.
+/// The loop writes into a ring and never waits: messages that do not fit are dropped and counted.
+/// One thread empties the ring, and sends the messages to all destinations.
 class Publishing {
  public:
   Publishing(const Options& options, const GraphProgram& program, const Fields& fields);
@@ -30,10 +30,10 @@ class Publishing {
   Publishing& operator=(const Publishing&) = delete;
   ~Publishing();
 
-  /// Opens all destinations. Empty, or what is wrong.
+  /// Opens all destinations. Empty, or the problem.
   std::string open();
   void start();
-  /// Sends what is left. Empty, or what is wrong.
+  /// Sends the remaining messages. Empty, or the problem.
   std::string finish(Summary& summary);
   /// The requests of clients; null: they only read.
   Remote* remote() const { return remote_.get(); }
@@ -67,14 +67,14 @@ class Publishing {
     at[1] = step;
     ring_->commit(kHeadWords);
   }
-  /// Of [rows][kSceneColumns] those up to the first that is none.
+  /// The rows of [rows][kSceneColumns] up to the first empty one.
   void scene(std::uint32_t episode, Seq tick, const float* scene);
 
  private:
   static constexpr unsigned kEpisodeShift = 32;
   static constexpr std::size_t kHeadWords = 2;
   static constexpr std::uint32_t kStep = 0xffff'ffff, kScene = kStep - 1;
-  /// A scene has its number of rows behind its head.
+  /// A scene has its number of rows after its head.
   static constexpr std::size_t kSceneHeadWords = kHeadWords + 1;
   static constexpr std::size_t kRowWords = kSceneColumns * sizeof(float) / sizeof(std::uint64_t);
 

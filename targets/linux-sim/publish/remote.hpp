@@ -1,5 +1,5 @@
-// Requests of clients to a run: they travel from the thread that publishes
-// to the one that steps, which looks for them between two steps.
+// Requests of clients to a run: passed from the publishing thread to the stepping thread, which
+// handles them between two steps.
 #pragma once
 
 #include <atomic>

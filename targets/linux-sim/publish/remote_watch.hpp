@@ -6,8 +6,8 @@
 
 namespace eagerx::linux_sim {
 
-/// Does between two steps what they ask for. A run that is paused waits there, and before the first
-/// step of an episode; nothing else waits for anybody.
+/// Handles their requests between two steps. A paused run waits there, and before the first step of
+/// an episode; nothing else waits.
 class RemoteWatch : public PublishWatch {
  public:
   RemoteWatch(GraphProgram& program, const RunInputs& inputs, host::TextFile& csv,

@@ -9,8 +9,8 @@
 
 namespace eagerx::linux_sim {
 
-/// A ring of words for one thread that writes and one that reads. Neither waits, calls the kernel
-/// or allocates. A record lies in one piece: behind the ring there is room for the rest of one that
+/// A ring of words for one writing and one reading thread. Neither waits, calls the kernel or
+/// allocates. Records are contiguous: after the ring there is room for the rest of a record that
 /// begins near its end.
 class PublishRing {
  public:

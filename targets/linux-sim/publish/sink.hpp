@@ -1,4 +1,4 @@
-// Where messages are published, as programs call it.
+// Destination of published messages, as programs name it.
 #pragma once
 
 #include <runtime/host/publish/sink.hpp>

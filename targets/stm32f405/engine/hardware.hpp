@@ -15,7 +15,8 @@
 namespace eagerx::board::stm32 {
 
 /// For ImmediateLink: one SPI with select lines, one I2C, pins, PWM outputs, ADC inputs and
-/// encoders by number. What was not started is unsupported. All bytes are zero until it is started.
+/// encoders by number. A peripheral that was not started is unsupported. All bytes are zero until
+/// start().
 template <class Wait, class Memory = MappedMemory>
 class Hardware {
  public:

@@ -1,4 +1,4 @@
-// What two loops that are compared have alike: what they write, and how long they take.
+// Shared by two loops that are compared: their output, and their duration.
 #pragma once
 
 #include <targets/environments/eagerx_environments.h>

@@ -1,5 +1,5 @@
-// What a careful engineer would write for the same graph: one loop, everything in local variables.
-// The operations and their order are those of the entities, so that the bits must be equal.
+// The same graph as a careful engineer would write it: one loop, everything in local variables. The
+// operations and their order are those of the entities, so that the bits must be equal.
 #include <eagerx/math.hpp>
 #include <models/nodes/butterworth_filter/butterworth_design.hpp>
 

@@ -1,4 +1,4 @@
-// What ranks say to each other in a training: mpirun -n N ranks_bench WIDTH
+// Measures the communication of ranks in a training: mpirun -n N ranks_bench WIDTH
 #include <fmt/format.h>
 
 #include <algorithm>

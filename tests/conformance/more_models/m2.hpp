@@ -1,4 +1,4 @@
-// What the sensors and actuators of M2Object have in common: k are integers, f float32 [2, 3].
+// Shared by the sensors and actuators of M2Object: k are integers, f float32 [2, 3].
 #pragma once
 
 #include <cmath>

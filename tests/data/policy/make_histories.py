@@ -55,7 +55,7 @@ class Picture(nn.Module):
 
 
 class Conditions(nn.Module):
-    """What depends on comparisons: dead bands, masks, gaits."""
+    """Operations with comparisons: dead bands, masks, gaits."""
 
     def __init__(self):
         super().__init__()

@@ -144,7 +144,7 @@ def serialized(space):
 
 
 def save_zip(name, model, module, observation, action, rest=None, keywords=None):
-    """What Stable-Baselines3's save() writes, as far as anyone reads it."""
+    """The part of Stable-Baselines3's save() that readers use."""
     data = {"policy_class": {":type:": "<class 'abc.ABCMeta'>", "__module__": module},
             "policy_kwargs": keywords or {}, "num_timesteps": 100, "use_sde": False,
             "observation_space": serialized(observation), "action_space": serialized(action), **(rest or {})}

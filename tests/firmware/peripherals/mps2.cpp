@@ -1,4 +1,4 @@
-// What QEMU emulates of the MPS2 boards' peripherals, through these boards' drivers.
+// The peripherals of the MPS2 boards that QEMU emulates, through these boards' drivers.
 #include <models/links/immediate_link.hpp>
 #include <targets/common/bare-metal/board_time.hpp>
 #include <targets/common/bare-metal/start.hpp>

@@ -1,4 +1,4 @@
-// What QEMU emulates of the STM32F405's peripherals, through this board's drivers.
+// The peripherals of the STM32F405 that QEMU emulates, through this board's drivers.
 #include <models/drivers/dynamixel/dynamixel.hpp>
 #include <targets/common/bare-metal/board_time.hpp>
 #include <targets/common/bare-metal/start.hpp>

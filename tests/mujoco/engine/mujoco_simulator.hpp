@@ -1,4 +1,4 @@
-// What MujocoEngine keeps for an object: the interface of MultibodySimulator for one free body with
+// MujocoEngine's data of each object: the interface of MultibodySimulator for one free body with
 // joints.
 #pragma once
 

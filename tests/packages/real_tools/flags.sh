@@ -1,5 +1,5 @@
-# What the cores' platform.txt and boards.txt, or their Makefile, compile a sketch with, for `run`: puts it into `flags`.
-# $trees has a folder for each repository.
+# Puts the flags that the cores' platform.txt and boards.txt, or their Makefile, compile a sketch with into `flags`, for
+# `run`. $trees has a folder for each repository.
 pico() { # CHIP BOARD VARIANT FLAG...: arduino-pico
   local core=$trees/arduino-pico
   flags=(arm-none-eabi-g++ "${@:4}" -DUSBD_VID=0x2e8a -DUSBD_PID=0x000f -DUSBD_MAX_POWER_MA=250 -DUSB_MANUFACTURER='""'

@@ -1,4 +1,4 @@
-// What ESP-IDF's configuration has for its target `linux`, as far as its headers ask for it.
+// The part of ESP-IDF's configuration for its target `linux` that its headers need.
 #pragma once
 
 #define CONFIG_IDF_TARGET "linux"

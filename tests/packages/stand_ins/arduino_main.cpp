@@ -1,4 +1,4 @@
-// What the Arduino IDE makes of a sketch: its text behind Arduino.h and the prototypes of its
+// A sketch as the Arduino IDE compiles it: its text after Arduino.h and the prototypes of its
 // functions, and a main program.
 #include <Arduino.h>
 

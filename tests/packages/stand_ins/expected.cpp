@@ -1,4 +1,4 @@
-// What every main loop must print: a loop by hand, with the lateness written down.
+// Prints the expected output of every main loop: a handwritten loop with a given lateness.
 #include GRAPH_HEADER
 
 #include <optional>

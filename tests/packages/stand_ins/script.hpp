@@ -1,4 +1,4 @@
-// What happens to a main loop in the test, and what is printed of it.
+// The events of a main loop in the test, and the output.
 #pragma once
 
 #include <bit>

@@ -56,7 +56,7 @@ TEST(Cycles, AreThoseOfArmsTables) {
   EXPECT_EQ(cycles_of("udiv\tr0, r1, r2"), 12U);
   EXPECT_EQ(cycles_of("it\teq"), 1U);
   EXPECT_EQ(cycles_of("mrs\tr0, PRIMASK"), 2U);
-  // What no table has counts as the slowest.
+  // An instruction in no table counts as the slowest.
   EXPECT_EQ(cycles_of("brandnew\tr0, r1"), 12U);
   EXPECT_EQ(cycles_of("vbrandnew.f32\ts0, s1"), 14U);
 }

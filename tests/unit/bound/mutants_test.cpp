@@ -118,7 +118,7 @@ class Maker {
 
 using Step = std::pair<Address, Address>;
 
-/// What one run executes.
+/// Instructions that one run executes.
 struct Executed {
   std::uint64_t instructions = 0;
   std::set<Step> steps;  // from an instruction to the next one

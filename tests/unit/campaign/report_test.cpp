@@ -1,4 +1,4 @@
-// What a campaign says of its runs.
+// The report of a campaign.
 #include "targets/environments/campaign/report.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What arrays and composites become: the flat graph, as one could have written it.
+// Arrays and composites become a flat graph, like a handwritten one.
 #include "generator/frontend/compose/compose.hpp"
 
 #include <gtest/gtest.h>

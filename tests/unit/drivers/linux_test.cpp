@@ -308,7 +308,7 @@ TEST(LinuxUart, AServoOnAPseudoTerminal) {
   constexpr char kAnswer[] = "\xff\xff\xfd\x00\x01\x08\x00\x55\x00\xa6\x00\x00\x00\x8c\xc0";
   const drivers::DynamixelX servo(1);
   const auto request = servo.read(drivers::DynamixelX::kPresentPosition, 4);
-  // What a servo does: it hears the whole request, then answers with `bytes` bytes.
+  // A servo: it receives the whole request, then answers with `bytes` bytes.
   const auto answers = [&](std::size_t bytes) {
     return std::thread([&, bytes] {
       std::string heard;

@@ -40,7 +40,7 @@ std::string bytes_of(const Network& network) {
   return tables.take_bytes();
 }
 
-/// What a program has of the only table.
+/// The only table, as the program stores it.
 template <class Table>
 Table table_of(const Network& network) {
   const std::string bytes = bytes_of(network);

@@ -1,4 +1,4 @@
-// What libraries of environments have in common: rows of states, texts, and errors of calls.
+// Code that libraries of environments share: rows of states, text, and errors of calls.
 #include <gtest/gtest.h>
 #include <targets/environments/eagerx_environments.h>
 

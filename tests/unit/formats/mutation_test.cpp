@@ -82,7 +82,7 @@ void check(const std::string& bytes, const ReadContext& context = {}) {
     for (const float weight : layer.weights) ASSERT_TRUE(std::isfinite(weight));
     inputs = layer.outputs;
   }
-  // What was read can be evaluated: layers read what is there.
+  // A network that was read can be evaluated: layers read within their inputs.
   constexpr std::size_t kMostWork = 100'000;
   if (work > kMostWork) return;
   Memory<float> memory;

@@ -1,5 +1,5 @@
-// What a file does not say and the graph does: sizes of inputs, the order of layers
-// (tests/data/policy/make_inputs.py), against torch.
+// Facts that the graph gives because the file does not contain them: sizes of inputs, the order of
+// layers (tests/data/policy/make_inputs.py). Compares with torch.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

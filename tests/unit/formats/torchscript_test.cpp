@@ -304,7 +304,7 @@ std::string with_state(const std::string& line) {
 
 TEST(TorchScript, StatesAreKeptAndBeginWithZeros) {
   EXPECT_TRUE(read_good(with_state("self.hidden_state = h")).has_memory());
-  // What has a part of the old state keeps that.
+  // A result that contains a part of the old state keeps the state.
   EXPECT_TRUE(
       read_good(with_state("_9 = torch.squeeze(hidden_state0, 0)\n    self.hidden_state = h"))
           .has_memory());

@@ -113,7 +113,7 @@ TEST(Expression, OtherNamesThatMeanAVariable) {
   EXPECT_EQ(problem("other").substr(0, 15), "1: unknown name");
 }
 
-// What a task may call is calculated here, too.
+// Every function of a task can be calculated.
 TEST(Calculation, EveryFunctionOfATask) {
   for (const Function& each : functions()) {
     std::string call(each.name);

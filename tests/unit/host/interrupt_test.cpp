@@ -99,7 +99,7 @@ TEST(CatchInterrupts, ACrashMakesSafeFirst) {
 #endif
 }
 
-// What was going on may hold a lock that the safe action wants.
+// The interrupted code may hold a lock that the safe action needs.
 TEST(CatchInterrupts, ACrashThatCannotMakeSafeEndsAllTheSame) {
   EXPECT_EXIT(
       {

@@ -56,7 +56,7 @@ std::string manifest_with_output(const std::string& output) {
   return {};
 }
 
-// What its users do not share was once noted under a key `apart` of the port's own settings.
+// A key `apart` in the settings of a port was once taken for an internal mark.
 
 TEST(MissingEntities, AKeyOfAPortIsNoMarkOfOurs) {
   const std::string manifest = manifest_with_output("space: {dtype: float32}");

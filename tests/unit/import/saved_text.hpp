@@ -1,4 +1,4 @@
-// What EAGERx saves, as short texts, and what becomes of them.
+// Short texts as EAGERx saves them, and the results of importing them.
 #pragma once
 
 #include <optional>

@@ -128,7 +128,7 @@ TEST(Condition, WholeNumbersAreExact) {
   EXPECT_EQ(value_of("max(whole) == 9007199254740993"), std::optional(true));
   EXPECT_EQ(value_of("max(whole) == 9007199254740992"), std::optional(false));
   EXPECT_EQ(value_of("9223372036854775807 > 9223372036854775806"), std::optional(true));
-  // What does not fit becomes a double instead of wrapping around.
+  // A result that does not fit becomes a double instead of wrapping around.
   EXPECT_EQ(value_of("9223372036854775807 + 1 > 9223372036854770000"), std::optional(true));
   EXPECT_EQ(value_of("9223372036854775807 * 2 > 0"), std::optional(true));
   EXPECT_EQ(value_of("-9223372036854775807 - 2 < 0"), std::optional(true));

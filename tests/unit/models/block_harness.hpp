@@ -1,4 +1,4 @@
-// What tests of blocks share: one tick at a time, lanes of SIMD vectors, references.
+// Shared by tests of blocks: one tick at a time, lanes of SIMD vectors, references.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -11,8 +11,8 @@ if [ "$("$@" -dumpmachine | grep -c linux)" = 1 ] && pkg-config --exists libftdi
   flags+=("$(pkg-config --cflags-only-I libftdi1 | sed 's/ .*//; s/^-I/-isystem/')")
 fi
 mapfile -t headers < <(find models -name '*.hpp' "${linux[@]}" | sort)
-# What the Open Dynamics Engine itself is needed for compiles where that is. Objects, engine nodes and engine states
-# do not need it.
+# Headers that need the Open Dynamics Engine compile only if it is installed. Objects, engine nodes and engine states do
+# not need it.
 if ! echo '#include <ode/ode.h>' | "$@" -x c++ -fsyntax-only - 2>/dev/null; then
   mapfile -t headers < <(grep -LE '<ode/ode.h>|/(rigid_world|rigid_parts|open_dynamics_simulator).hpp>' "${headers[@]}")
 fi

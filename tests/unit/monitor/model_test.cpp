@@ -1,4 +1,4 @@
-// What is known of a stream, without a clock: times are given.
+// The state of a stream without a clock: tests give the times.
 #include "generator/tools/monitor/model.hpp"
 
 #include <gtest/gtest.h>

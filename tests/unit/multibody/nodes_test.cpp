@@ -1,4 +1,4 @@
-// What engine nodes and engine states ask of the simulator; lanes of SIMD vectors.
+// Requests of engine nodes and engine states to the simulator; lanes of SIMD vectors.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What lies where a module of WebAssembly should be.
+// Files in the place of a WebAssembly module.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

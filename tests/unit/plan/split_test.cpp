@@ -1,4 +1,4 @@
-// What crosses the links between the programs of a placed graph.
+// Messages on the links between the programs of a placed graph.
 #include "generator/graph/plan/split.hpp"
 
 #include <gtest/gtest.h>
@@ -153,7 +153,7 @@ TEST(Split, WhatAnotherPartReadsLateIsHandedOnLate) {
   EXPECT_EQ(late[1].lags[Graph::kEnvironment], 0U);
   EXPECT_EQ(late[1].depth, 4U);
   EXPECT_EQ(late[1].why_no_more, "part `filter` reads it with `delay: 0.1`");
-  // What is between two ticks is not waited for.
+  // The hub does not wait for messages that arrive between two ticks.
   EXPECT_EQ(lags(", delay: 0.095")[0].lags[Graph::kEnvironment], 2U);
   EXPECT_EQ(lags(", delay: 0.1, max_delay: 0.2")[0].lags[Graph::kEnvironment], 0U);
   EXPECT_EQ(lags(", delay: 0.1, skip: true, window: 0")[0].lags[Graph::kEnvironment], 0U);

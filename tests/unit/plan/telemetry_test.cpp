@@ -1,4 +1,4 @@
-// What a board sends: which channels go together, and how many of their messages fit.
+// Telemetry of a board: the channels of each record, and how many of their messages fit.
 #include "generator/graph/plan/telemetry.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What the tests of read/ share.
+// Shared by the tests of read/.
 #pragma once
 
 #include <gtest/gtest.h>

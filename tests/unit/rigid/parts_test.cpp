@@ -1,4 +1,4 @@
-// What descriptions of robots need: inertia about any axes, turned shapes, joints that brake.
+// Parts of robot descriptions: inertia about any axes, rotated shapes, joints with friction.
 #include <gtest/gtest.h>
 
 #include <algorithm>

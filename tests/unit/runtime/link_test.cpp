@@ -108,7 +108,7 @@ class Line : public ::testing::Test {
   int sessions_ = 0;
 };
 
-// What was on its way, half written or half read belongs to a session that is over.
+// Messages in flight, half written or half read belong to the previous session.
 TEST_F(Line, BeginsAnewInTheMiddleOfAnExchange) {
   start();
   for (std::uint32_t session = 1; session <= 20; ++session) {

@@ -24,7 +24,7 @@ using PainterType = picture::Painter<256>;
 std::vector<std::uint8_t> paint(const float* scene, std::size_t rows, int width, int height,
                                 int channels) {
   static const auto kPainter = std::make_unique<PainterType>();
-  // What is in the image before does not count.
+  // Earlier contents of the image have no effect.
   std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width * height * channels), 77);
   kPainter->paint(scene, rows, {pixels.data(), width, height, channels});
   return pixels;

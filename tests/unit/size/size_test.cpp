@@ -1,5 +1,4 @@
-// What the compiler's tools print, and what becomes of it; also when it is not what they should
-// print.
+// Output of the compiler's tools, including unexpected output, and the results.
 #include "generator/analysis/size/size.hpp"
 
 #include <gtest/gtest.h>
@@ -276,7 +275,7 @@ TEST(Stack, FunctionsThatCallThemselvesAreNamed) {
 TEST(Stack, CallsAreThoseOfTheNodesWhoseLinesMakeThem) {
   Tools tools;
   describe(tools);
-  // What stands at 10 is in the lines of `smooth`, and what it calls is in none.
+  // The code at 10 is in the lines of `smooth`; the code that it calls is in no lines.
   tools.says("objdump",
              "00000000 <eagerx_start>:\n   0:\tpush\t{lr}\n   2:\tbl\t8 <run>\n\n"
              "00000008 <run>:\n  10:\tbl\t30 <_ZN6eagerx6models3AddIiE8callbackEv>\n\n"

@@ -1,4 +1,4 @@
-// What compilers say, and what object files call.
+// Messages of compilers, and calls in object files.
 #include <gtest/gtest.h>
 
 #include <filesystem>

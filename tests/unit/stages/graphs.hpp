@@ -1,4 +1,4 @@
-// What several tests of stages need: a graph, and a folder for files.
+// Shared by tests of stages: a graph, and a folder for files.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a plan says of itself, and its budgets.
+// Facts about a plan, and its budgets.
 #include "generator/analysis/info/info.hpp"
 
 #include "tests/unit/stages/graphs.hpp"

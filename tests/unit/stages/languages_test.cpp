@@ -1,4 +1,4 @@
-// What a part in another language receives of its graph.
+// The data of a graph that a part in another language receives.
 #include <eagerx/link/frame.hpp>
 
 #include "generator/backend/languages/package.hpp"

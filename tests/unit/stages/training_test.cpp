@@ -1,5 +1,4 @@
-// What a training leaves, as the page has it: records, tables of curves, results of sweeps; and
-// files that are none.
+// Files of a training on the page: records, tables of curves, results of sweeps; and invalid files.
 #include "generator/tools/training/training.hpp"
 
 #include <gtest/gtest.h>
@@ -287,7 +286,7 @@ std::string sweep_over(const std::vector<std::string>& values) {
   return text + "\n";
 }
 
-// What is not a number has no place among numbers: sorting would not end well.
+// NaN has no order among numbers, so sorting must handle it.
 TEST_F(Training, ASweepOverWhatIsNoNumber) {
   std::vector<std::string> values;
   for (int i = 0; i < 40; ++i) values.push_back(i % 3 == 1 ? "nan" : std::to_string(40 - i));

@@ -1,4 +1,4 @@
-// What tests of trainings share.
+// Shared by tests of trainings.
 #pragma once
 
 #include <stdlib.h>

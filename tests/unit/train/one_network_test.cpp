@@ -1,5 +1,5 @@
-// What was trained is what is deployed: the trainer's networks and the generator's, which has the
-// bits of programs on Linux and boards.
+// The trained network is the deployed one: compares the trainer's networks with the generator's,
+// which has the bits of programs on Linux and boards.
 #include <gtest/gtest.h>
 
 #include <bit>

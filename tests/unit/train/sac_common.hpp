@@ -1,4 +1,4 @@
-// What tests of SAC share.
+// Shared by tests of SAC.
 #pragma once
 
 #include <string>

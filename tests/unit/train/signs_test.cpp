@@ -1,4 +1,4 @@
-// What holds a training, by curves and evaluations that are made for it.
+// Diagnoses of trainings from synthetic curves and evaluations.
 #include "targets/environments/train/signs.hpp"
 
 #include <gtest/gtest.h>

@@ -295,7 +295,7 @@ TEST_F(UrdfMeshFiles, VisualsAreDrawn) {
   EXPECT_EQ(header_text(*none).find("kFacets"), std::string::npos);
   EXPECT_NE(manifest_text(*none).find("scene: {type: RigidDrawing"), std::string::npos)
       << "draws the collision shapes";
-  // What is only seen refuses no robot.
+  // Problems of visual elements do not reject a robot.
   const auto strange =
       arm("<visual><origin xyz='0 nan'/><geometry><mesh filename='package://arm/meshes/block.obj' "
           "scale='big'/></geometry></visual>",

@@ -1,4 +1,4 @@
-// What becomes of MJCF: frames, defaults, masses, actuators. tests/urdf has whole robots and
+// Conversion of MJCF: frames, defaults, masses, actuators. tests/urdf has whole robots and
 // messages.
 #include <gtest/gtest.h>
 
@@ -287,7 +287,7 @@ TEST(Mjcf, WhatFlagsDisableIsLeftOut) {
   EXPECT_EQ(made->gravity, (Vector3{{0, 0, -1}}));
 }
 
-/// What is said of it.
+/// The messages for a text.
 std::string said_of(const std::string& text) {
   gen::SourceMap sources;
   gen::Diagnostics diagnostics;

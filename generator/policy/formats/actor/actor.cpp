@@ -148,7 +148,7 @@ class Assembly {
         layout_.modules.begin(), layout_.modules.end(),
         [](const ActorModule& module) { return module.activation_after && !module.activation; });
     auto said = in_file ? in_file : context_.activation;
-    // What the zip says of it is what was given to the class.
+    // The zip file contains the activation that the class was given.
     if (!said && facts_.own_class) said = facts_.activation;
     if (!said && !layout_.activation && needed) {
       const bool both = layout_.output_rule == OutputRule::unknown && !context_.output_activation;

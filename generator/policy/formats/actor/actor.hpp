@@ -1,5 +1,5 @@
-// From tensors with names to the actor's layers: which names are an actor, what their libraries do
-// between them, and whether the rest of the file agrees.
+// Builds the actor's layers from named tensors: finds the actor's names, adds the operations that
+// its library puts between them, and checks the rest of the file.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace eagerx::gen {
 /// Whether a module or tensor belongs to a critic, which has no part in the action.
 bool is_critic(std::string_view name);
 
-/// The facts of a file besides its tensors.
+/// Facts in a file other than its tensors.
 struct PolicyFacts {
   std::string format;
   std::optional<Activation> activation;         // of hidden layers
@@ -41,15 +41,15 @@ struct PolicyFacts {
 
 /// The facts in the metadata of a safetensors file (keys: algo, activation, obs, low, high, squash,
 /// clip_obs, epsilon, rate, output_activation), and arrays of one number with those names. E0626
-/// for what cannot be read.
+/// for values that cannot be read.
 std::optional<PolicyFacts> facts_of_notes(const TensorTable& table, PolicyProblem& problem);
 
 /// The facts in `data` of a Stable-Baselines3 archive. E0626.
 std::optional<PolicyFacts> facts_of_sb3(std::string_view json, PolicyProblem& problem);
 
-/// The actor. E0624: nothing looks like one, or a part of it is missing; E0625: more than one does;
-/// E0626: tensors and facts disagree; E0628: it has parts that are not supported; E0629: nothing
-/// says its activation; E0750: nor what follows its last layer; E0627: its statistics do not fit.
+/// The actor. E0624: no actor found, or a part of it is missing; E0625: several found; E0626:
+/// tensors and facts disagree; E0628: it has unsupported parts; E0629: its activation is unknown;
+/// E0750: the function after its last layer is unknown; E0627: its statistics do not fit.
 std::optional<Network> make_actor(const TensorTable& table, const PolicyFacts& facts,
                                   const ReadContext& context, PolicyProblem& problem);
 
@@ -57,7 +57,7 @@ std::optional<Network> make_actor(const TensorTable& table, const PolicyFacts& f
 /// largest number.
 bool check_statistics(Normalization& statistics, PolicyProblem& problem);
 
-/// When a tanh follows the last layer besides `KnownLayout::output`.
+/// Whether a tanh follows the last layer, in addition to `KnownLayout::output`.
 enum class Squash : std::uint8_t {
   never,
   if_said,        // PolicyFacts::squash
@@ -117,19 +117,19 @@ struct ActorLayout : KnownLayout {
   bool is_said = false;     // by the graph: what it leaves out is not used
 };
 
-/// The one actor among the names. A file that is no Stable-Baselines3 `zip` is only said to be of a
-/// library if it has marks that nothing else has. E0624, E0625.
+/// The only actor among the names. A file that is not a Stable-Baselines3 `zip` is assigned to a
+/// library only if it has unique marks. E0624, E0625.
 std::optional<ActorLayout> find_actor(const TensorTable& table, bool is_zip,
                                       PolicyProblem& problem);
 
-/// The layers that the graph says, in its order. `output` becomes what it says of the last one.
-/// E0624, E0626.
+/// The layers that the graph lists, in its order. Sets `output` to the activation that it gives for
+/// the last one. E0624, E0626.
 std::optional<ActorLayout> said_layout(const TensorTable& table,
                                        const std::vector<std::string>& layers,
                                        std::optional<Activation>& output, PolicyProblem& problem);
 
-/// Layers of an actor whose names tell no order, if their sizes do: each takes what the one before
-/// gives. Empty: there is no such order, or it is in the names.
+/// The order of layers by their sizes, if their names have no order: each layer's input size is the
+/// output size of the one before. Empty if there is no such order, or if the names have one.
 std::vector<std::string> order_by_sizes(const TensorTable& table);
 
 /// Whether a tensor that nothing has read is for training only.

@@ -11,7 +11,8 @@
 
 namespace eagerx::gen {
 
-/// The actor in the bytes of a safetensors file, `file` left empty; or why there is none.
+/// The actor in the bytes of a safetensors file, without setting `file`; or the reason why it
+/// cannot be read.
 std::optional<Network> read_safetensors(std::string_view bytes, const ReadContext& context,
                                         PolicyProblem& problem);
 
@@ -19,7 +20,7 @@ std::optional<Network> read_safetensors(std::string_view bytes, const ReadContex
 std::optional<Network> read_zip_policy(const Archive& archive, const ReadContext& context,
                                        PolicyProblem& problem);
 
-/// The same of what torch.save wrote before 1.6.
+/// The same for files of torch.save before 1.6.
 std::optional<Network> read_legacy_torch_policy(std::string_view bytes, const ReadContext& context,
                                                 PolicyProblem& problem);
 

@@ -1,4 +1,4 @@
-// How libraries name the parts of an actor.
+// Names of an actor's parts in each library.
 #include <fmt/format.h>
 
 #include <algorithm>

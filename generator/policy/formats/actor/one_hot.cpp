@@ -1,4 +1,4 @@
-// Choices among an observation's numbers, as Stable-Baselines3's preprocess_obs gives them to its
+// Discrete parts of an observation, encoded as Stable-Baselines3's preprocess_obs does for its
 // networks.
 #include <fmt/core.h>
 

@@ -22,16 +22,16 @@ struct ActorParts {
   }
 };
 
-/// The layers of the actor's modules; `activation` follows where the layout says so. E0618, E0619,
-/// E0624, E0628.
+/// Adds the layers of the actor's modules, each followed by `activation` if the layout says so.
+/// E0618, E0619, E0624, E0628.
 bool add_modules(const ActorParts& parts, const ActorLayout& layout, Activation activation);
 
-/// The activation after the last layer (as the file says, else as its library does, else as the
-/// graph says), and what its answers are. E0624, E0626, E0750 and those of `average_quantiles`.
+/// Adds the activation after the last layer (that of the file, else of its library, else of the
+/// graph), and the form of its answers. E0624, E0626, E0750 and those of `average_quantiles`.
 bool finish_output(const ActorParts& parts, const ActorLayout& layout, const ReadContext& context);
 
-/// An unread part may stand between observation and action: it is not left out silently, and
-/// E0628 unless it is for training only. The rest is listed.
+/// Checks unread parts, which may be between observation and action: E0628 unless they are for
+/// training only. The rest is listed.
 bool check_rest(const ActorParts& parts, const ActorLayout& layout);
 
 /// Stable-Baselines3's NatureCNN whose tensors start with `prefix`, in front of everything else:
@@ -39,9 +39,8 @@ bool check_rest(const ActorParts& parts, const ActorLayout& layout);
 /// E0619, E0628.
 bool add_nature_cnn(const ActorParts& parts, const std::string& prefix);
 
-/// The one-hot numbers that SB3 makes of Discrete and MultiDiscrete observations, in their place:
-/// 1 where the number is the choice, else 0, for the whole numbers that such observations are.
-/// E0619.
+/// Adds SB3's one-hot encoding of Discrete and MultiDiscrete observations: whole numbers become 1
+/// at the chosen index and 0 elsewhere. E0619.
 bool add_one_hot(const ActorParts& parts);
 
 /// Whether `base` is a BatchNorm1d of torch, or sb3-contrib's BatchRenorm1d.

@@ -1,4 +1,4 @@
-// Tensors of an actor's file that no layer was made of.
+// Tensors of an actor's file that no layer uses.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Layers in an order that is not in their names: as the graph says it, or as their sizes tell it.
+// Orders layers whose names do not give an order: as the graph says, or by their sizes.
 #include <fmt/format.h>
 
 #include <algorithm>

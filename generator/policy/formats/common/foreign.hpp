@@ -1,4 +1,4 @@
-// Files that are no policy in a format that is read: what they are, and the way to one that is.
+// Files that are not a policy in a supported format: what they are, and how to convert them.
 #pragma once
 
 #include <optional>
@@ -19,13 +19,13 @@ inline constexpr const char* kJaxWay =
     "write the actor's weights as npz with torch's names (`net.0.weight` [outputs, inputs], "
     "`net.0.bias`)";
 
-/// E0603 with the name of what `bytes` are by their beginning; nothing if it is not known.
+/// E0603 with the name of the format, recognized by the first bytes; nullopt if it is unknown.
 std::optional<PolicyProblem> foreign_file(std::string_view bytes);
 
 /// The same of a zip archive with entries `names` that is no policy.
 PolicyProblem foreign_archive(const std::vector<std::string>& names);
 
-/// The same of a folder with entries `names`, if it is known what wrote it.
+/// The same for a folder with entries `names`, if the program that wrote it is known.
 std::optional<PolicyProblem> foreign_folder(const std::vector<std::string>& names);
 
 }  // namespace eagerx::gen

@@ -7,8 +7,8 @@
 
 namespace eagerx::gen {
 
-/// Puts such values into their tensors, as if they had been in the file. E0617 if a name is not
-/// that of a file in its folder, or the file is not what the tensor says.
+/// Moves such values into their tensors, as if the file contained them. E0617 if a name is not that
+/// of a file in the same folder, or if the file does not match the tensor.
 bool take_external_values(onnx::GraphProto& graph, const FilesInFolder& files,
                           PolicyProblem& problem);
 

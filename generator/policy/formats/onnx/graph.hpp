@@ -1,4 +1,5 @@
-// Names of an ONNX graph: who produces what, and what the action depends on, in order.
+// Names of an ONNX graph: the producer of each value, and the nodes that the action depends on, in
+// order.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Walks through protobuf's wire format without making anything of it. Which fields are messages is
-// in onnx.proto.
+// Walks through protobuf's wire format without building messages. onnx.proto says which fields are
+// messages.
 #include "generator/policy/formats/onnx/guard.hpp"
 
 #include <algorithm>

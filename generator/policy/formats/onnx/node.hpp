@@ -8,8 +8,8 @@
 
 namespace eagerx::gen {
 
-/// A tensor as a constant, after a look at type, dims and amount of data (not the values); else its
-/// `problem` is E0614, E0615 or E0617. `made` keeps what describes it.
+/// A tensor as a constant, after checking type, dimensions and amount of data (not the values);
+/// otherwise its `problem` is E0614, E0615 or E0617. `made` stores its description.
 NetValue tensor_value(const onnx::TensorProto& tensor, std::deque<NetTensor>& made);
 
 /// A node of a file of version `opset`, with views into the file. Its `inputs` may become fewer.

@@ -1,5 +1,5 @@
-// Which output of a graph is the action. Nothing but names and ways through the graph: values are
-// not looked at.
+// Finds the output of a graph that is the action, by names and paths through the graph only, not by
+// values.
 #include "generator/policy/formats/onnx/outputs.hpp"
 
 #include <fmt/core.h>

@@ -1,4 +1,4 @@
-// Which output of a graph is the action. Inside formats/onnx only.
+// Finds the output of a graph that is the action. Inside formats/onnx only.
 #pragma once
 
 #include <optional>
@@ -9,20 +9,19 @@
 
 namespace eagerx::gen {
 
-/// An output of a graph, and what it depends on.
+/// An output of a graph, and the nodes that it depends on.
 struct OnnxAction {
   int output = 0;  // its index
   OnnxDependencies needed;
 };
 
-/// The output `wanted`; if that is empty, the only one that can be the action: by its name, or the
-/// first one if it is known what the others are. E0751: it is not known which, or there is none
-/// `wanted`.
+/// The output `wanted`; if empty, the only one that can be the action: by its name, or the first
+/// one if the others are known. E0751: ambiguous, or no output `wanted`.
 std::optional<OnnxAction> choose_action(const onnx::GraphProto& graph, const OnnxNames& names,
                                         std::string_view wanted, PolicyProblem& problem);
 
-/// Whether every weight of the file leads to the action or to another output, but for those whose
-/// names say that they are a critic's or a standard deviation: E0752.
+/// Whether every weight of the file leads to the action or to another output, except those named as
+/// a critic's or a standard deviation: E0752.
 bool leads_to_outputs(const onnx::GraphProto& graph, const OnnxNames& names,
                       const OnnxAction& action, PolicyProblem& problem);
 

@@ -1,4 +1,4 @@
-// The whole model is untrusted, and only what leads to the action is read.
+// The whole model is untrusted. Only nodes on the way to the action are read.
 #include "generator/policy/formats/onnx/read_onnx.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// Zip archives: Stable-Baselines3, torch.save and npz files are such. Only what is asked for is
-// unpacked; nothing is ever written.
+// Zip archives, such as files of Stable-Baselines3, torch.save and npz. Unpacks only the requested
+// members, and never writes files.
 #pragma once
 
 #include <cstdint>
@@ -38,8 +38,8 @@ class Archive {
   std::map<std::string, Entry, std::less<>> entries_;
 };
 
-/// Adds `more` unpacked bytes to `sum`. E0621, with `help`, if they are more than is read: many
-/// names may stand for the same entry.
+/// Adds `more` unpacked bytes to `sum`. E0621, with `help`, if the sum exceeds the limit: many
+/// names may refer to the same entry.
 bool count_unpacked(std::size_t more, std::size_t& sum, const char* help, PolicyProblem& problem);
 
 }  // namespace eagerx::gen

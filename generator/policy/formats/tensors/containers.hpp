@@ -1,4 +1,4 @@
-// Files that are nothing but named tensors: npz, torch.save, safetensors.
+// Files that contain only named tensors: npz, torch.save, safetensors.
 #pragma once
 
 #include <functional>
@@ -23,16 +23,16 @@ std::optional<StoredTensor> read_npy(std::string_view bytes, const std::string& 
 /// Views into `archive`. E0621 to E0623.
 bool read_torch(const Archive& archive, bool all, TensorTable& table, PolicyProblem& problem);
 
-/// The bytes of the storage called `key`; nothing, and a problem, if there are none.
+/// The bytes of the storage named `key`; nullopt and a problem if it does not exist.
 using TorchStorages = std::function<std::optional<std::string_view>(std::string_view key)>;
 
-/// The tensor that a call of `torch._utils._rebuild_tensor_v2` stands for; its place in the bytes
-/// is not checked yet. E0614, E0623.
+/// The tensor of a call of `torch._utils._rebuild_tensor_v2`; its place in the bytes is not checked
+/// yet. E0614, E0623.
 std::optional<StoredTensor> rebuilt_tensor(const Pickle& pickle, const PickleValue& call,
                                            const std::string& name, const TorchStorages& storages,
                                            PolicyProblem& problem);
 
-/// Whether `bytes` are what torch.save wrote before 1.6, or writes with
+/// Whether `bytes` are a file of torch.save before 1.6, or one written with
 /// `_use_new_zipfile_serialization=False`: pickles, then the storages of their tensors.
 bool is_legacy_torch(std::string_view bytes);
 

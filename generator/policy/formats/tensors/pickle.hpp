@@ -71,11 +71,12 @@ enum class PickleNames : std::uint8_t {
   program,     // TorchScript: tensors, lists, and the modules of the archive's own code
 };
 
-/// Whether pickles may name `name` ("module.name"): what makes tensors, arrays and plain values.
+/// Whether pickles may use `name` ("module.name"): names that make tensors, arrays and plain
+/// values.
 bool is_known_in_pickles(std::string_view name, PickleNames known);
 
-/// Reads protocols 2 to 5. E0622: it imports what is not known. E0623: it is damaged, or does what
-/// data never does.
+/// Reads protocols 2 to 5. E0622: it imports an unknown name. E0623: it is damaged, or uses
+/// operations that data never uses.
 std::optional<Pickle> read_pickle(std::string_view bytes, PickleNames known,
                                   PolicyProblem& problem);
 

@@ -1,5 +1,5 @@
-// Tensors of a file by name, whatever its format. Values are only looked at on demand, so that
-// parts of a file that are not needed may hold anything.
+// Tensors of a file by name, in any format. Values are read on demand, so that unneeded parts of a
+// file may contain anything.
 #pragma once
 
 #include <deque>
@@ -15,7 +15,7 @@
 
 namespace eagerx::gen {
 
-/// A tensor as it lies in the file.
+/// A tensor as stored in the file.
 struct StoredTensor {
   ElementType type = ElementType::float32;
   Dims shape;
@@ -23,13 +23,13 @@ struct StoredTensor {
   std::string_view bytes;             // from its first element on, little-endian
 };
 
-/// E0614 unless every element of the shape lies inside of `bytes`.
+/// E0614 unless every element of the shape is inside `bytes`.
 bool fits(const std::string& name, const StoredTensor& tensor, PolicyProblem& problem);
 
 /// All values in row-major order; `fits` was true.
 std::vector<double> values_of(const StoredTensor& tensor);
 
-/// The values as float32: E0616 for NaN and infinity, E0615 for what float32 cannot hold and for
+/// The values as float32: E0616 for NaN and infinity, E0615 for values beyond float32 and for
 /// integers.
 std::optional<std::vector<float>> floats_of(const std::string& name, const StoredTensor& tensor,
                                             PolicyProblem& problem);

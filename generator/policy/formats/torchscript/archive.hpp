@@ -1,4 +1,4 @@
-// Contents of a TorchScript archive: modules with their tensors, constants, and code.
+// Contents of a TorchScript archive: modules with their tensors, constants and code.
 #pragma once
 
 #include <deque>
@@ -21,7 +21,7 @@ class TorchArchive {
   TorchArchive(const Archive& archive, std::string folder)
       : archive_(archive), folder_(std::move(folder)) {}
 
-  /// Reads what describes the modules. E0621 to E0623.
+  /// Reads the description of the modules. E0621 to E0623.
   bool open(PolicyProblem& problem);
 
   /// The modules (0), or the constants of traced code (1).
@@ -33,8 +33,8 @@ class TorchArchive {
   const NetValue* tensor(int which, std::uint32_t index, const std::string& name,
                          PolicyProblem& problem);
 
-  /// Function "Linear.forward" or "elu" of module "__torch__.torch.nn.functional"; nullptr, and
-  /// E0621 or E0753, if there is none.
+  /// Function "Linear.forward" or "elu" of module "__torch__.torch.nn.functional"; nullptr and
+  /// E0621 or E0753 if it does not exist.
   const TorchFunction* function(const std::string& module, const std::string& name,
                                 PolicyProblem& problem);
 

@@ -1,5 +1,5 @@
-// Follows `forward` of a TorchScript archive from its arguments to what it returns. Nothing is
-// run: tensors are only names of what is known of them, and conditions must be known.
+// Follows `forward` of a TorchScript archive from its arguments to its results, without running it:
+// a tensor is a symbol with known properties, and conditions must be known.
 #pragma once
 
 #include <map>
@@ -24,7 +24,7 @@ inline constexpr const char* kHistoryAsInput =
 
 class TorchInterpreter {
  public:
-  /// At most `*budget` statements; what is used is taken from it.
+  /// Executes at most `*budget` statements, and subtracts those executed.
   TorchInterpreter(TorchArchive& archive, NetCall::State& state, std::int64_t& budget,
                    PolicyProblem& problem)
       : archive_(archive), state_(state), budget_(budget), problem_(problem) {}

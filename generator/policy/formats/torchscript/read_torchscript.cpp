@@ -1,5 +1,5 @@
-// The file does not say how many numbers an observation has, so sizes that its tensors have are
-// tried, from the smallest on: `forward` must go through.
+// The file does not contain the size of the observation. The reader tries the sizes of its tensors,
+// smallest first, until it can follow `forward` to the end.
 #include "generator/policy/formats/torchscript/read_torchscript.hpp"
 
 #include <fmt/format.h>

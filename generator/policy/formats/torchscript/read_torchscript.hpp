@@ -14,9 +14,9 @@ namespace eagerx::gen {
 /// Whether an archive holds a program.
 bool is_torchscript(const Archive& archive);
 
-/// The network of its `forward`; of several results the one that is called `output_name` by its
-/// place: "0", "1.0" in a tuple of tuples. E0751: it is not known which one, or there is none such.
-/// E0753 to E0756 (E0755: its inputs could have other sizes), and those of ONNX's operators.
+/// The network of its `forward`; for several results, the one at the place `output_name`: "0",
+/// "1.0" in a tuple of tuples. E0751: ambiguous, or no such result. E0753 to E0756 (E0755: its
+/// inputs could have other sizes), and those of ONNX's operators.
 std::optional<Network> read_torchscript(const Archive& archive, const ReadContext& context,
                                         PolicyProblem& problem);
 

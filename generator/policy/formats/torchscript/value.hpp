@@ -14,7 +14,7 @@
 
 namespace eagerx::gen {
 
-/// A tensor. Variables share it, so that what changes it in place changes it for all.
+/// A tensor. Variables share it, so an in-place change affects all of them.
 struct TorchTensor {
   NetValue value;
   std::string_view buffer{};  // of a module: its name, which the interpreter holds

@@ -1,4 +1,4 @@
-// Branches that come together, and functions and sums of numbers.
+// Operators that join branches, and functions and sums of numbers.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// An operator as it is used in a file, and what it sees.
+// One use of an operator in a file, with its inputs.
 #pragma once
 
 #include <deque>
@@ -12,8 +12,8 @@
 
 namespace eagerx::gen {
 
-/// A front end's facts of an operator, in the terms of ONNX: attribute `name` has what the file
-/// says of it, in any of these forms.
+/// An attribute of an operator from a front end, in ONNX's terms: `name`, with its value in one of
+/// these forms.
 struct NetAttribute {
   std::string_view name;
   std::optional<std::int64_t> whole{};
@@ -30,10 +30,10 @@ struct NetAttribute {
   }
 };
 
-/// Attribute of a Softmax that is over its axis and all behind it.
+/// Attribute of a Softmax over its axis and all later ones.
 inline constexpr std::string_view kSoftmaxToLast = "to_last";
 
-/// An operator as it is used in a file, in the way of ONNX's newest version.
+/// An operator as used in a file, in the form of ONNX's newest version.
 struct NetNode {
   std::string_view type;      // ONNX's name of it
   std::string_view name{};    // where it is, for people
@@ -85,8 +85,8 @@ class NetCall {
   [[nodiscard]] std::string_view text(std::string_view name) const;  // empty: none
   /// Integers of input `i` or, where there is no such input, of attribute `name`.
   [[nodiscard]] std::optional<Integers> integers(std::size_t i, std::string_view name) const;
-  /// Whether input `i` is given, but is no list of integers that are known: what it leaves open
-  /// must not become what the operator does without it.
+  /// Whether input `i` exists but is not a list of known integers: the operator must then not use
+  /// its default.
   [[nodiscard]] bool is_unreadable(std::size_t i) const;
 
   /// "operator `Gemm` (node `/mu/Gemm`)".

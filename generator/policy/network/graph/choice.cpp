@@ -1,5 +1,5 @@
-// The largest of several values: what exporters write between the scores of actions and the index
-// of the best one changes the scores, but not their order.
+// The largest of several values. The operators that exporters write between the scores of actions
+// and the index of the best one change the scores, but not their order.
 #include <fmt/core.h>
 
 #include "generator/policy/network/graph/operators.hpp"

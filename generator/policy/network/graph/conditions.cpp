@@ -1,5 +1,5 @@
-// Operators that compare numbers, and one that picks by the result. A condition is a number: 1
-// where it holds, else 0.
+// Operators that compare numbers, and one that selects by the result. A condition is a number: 1 if
+// it is true, else 0.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Where a policy begins and ends: the observation and its parts, and what the action is.
+// Beginning and end of a policy: the observation and its parts, and the action.
 #pragma once
 
 #include <optional>

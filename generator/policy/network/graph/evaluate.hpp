@@ -9,8 +9,8 @@ namespace eagerx::gen {
 bool has_weights(std::string_view type);
 bool has_memory(std::string_view type);
 
-/// The first result. Never fails: what cannot be represented is of kind `other`. E0612, E0613,
-/// E0618, E0619.
+/// The first result. Never fails: values that cannot be represented have kind `other`. E0612,
+/// E0613, E0618, E0619.
 NetValue evaluate(const NetCall& call);
 
 /// Result `i` (from 1) of an operator whose first one is `first`.

@@ -1,4 +1,4 @@
-// Picks by an index or a list of them: parts of an observation, sizes of a shape.
+// Selects elements by one or more indexes: parts of an observation, sizes of a shape.
 #include <algorithm>
 #include <utility>
 

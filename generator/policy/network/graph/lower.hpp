@@ -1,4 +1,4 @@
-// From the steps that lead to the action to layers with their weights.
+// Lowers the steps that lead to the action to layers with weights.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace eagerx::gen {
 
-/// The steps that lead to step `last`, each behind those that it takes; nothing if they are too
-/// many or too large: E0619.
+/// The steps that lead to step `last`, each after its inputs; nullopt if they are too many or too
+/// large: E0619.
 std::optional<std::vector<std::int32_t>> steps_to(const std::vector<NetStep>& steps,
                                                   std::int32_t last, PolicyProblem& problem);
 

@@ -1,4 +1,4 @@
-// The rows of operators, one each, and what they share.
+// The table of operators, a row each, and their shared code.
 #pragma once
 
 #include <functional>
@@ -86,7 +86,7 @@ using NetPick = std::function<std::optional<std::int64_t>(const Integers& given)
 std::optional<NetValue> each_of_integers(const NetCall& call, std::size_t inputs,
                                          const NetPick& pick);
 
-/// The small integers a value stands for, if it does.
+/// The small integers that a value represents, if it does.
 std::optional<Integers> integers_of(const NetValue& value);
 
 /// A computed shape, or a part of one: a scalar has no axis, a list one.
@@ -127,7 +127,7 @@ std::optional<NetValue> condition_of(const NetCall& call, const NetValue& x);
 /// the result, and the other as many numbers or one.
 std::optional<NetValue> combined(const NetCall& call, const NetValue& a, const NetValue& b,
                                  Combination::Operation operation);
-/// The part of a formula as a value of its own, if it is a simple one: the formula ended early.
+/// Part of a formula as a separate value, if it is simple: the formula ended early.
 std::optional<NetValue> materialized(const NetCall& call, const NetValue& value);
 /// A value known only by its order, calculated: where more than a choice depends on it.
 std::optional<NetValue> exact_of(const NetValue& value);

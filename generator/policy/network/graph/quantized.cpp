@@ -1,5 +1,5 @@
-// QuantizeLinear and DequantizeLinear: whole numbers of a few bits that stand for real ones.
-// Weights become what they stand for; in between, the network rounds as a runtime of the file does.
+// QuantizeLinear and DequantizeLinear: integers of a few bits that represent real numbers. Weights
+// are converted to real numbers; between layers, the network rounds as an ONNX runtime does.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// GRU and LSTM, one observation at a time, and the states that they take and give.
+// GRU and LSTM, one observation at a time, with their input and output states.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -35,7 +35,7 @@ struct NetTensor {
   std::string own{};         // what `bytes` shows, if it lies nowhere else
 };
 
-/// Numbers that are not in the file, or not as they are needed.
+/// Numbers that are not in the file, or not in the required form.
 const NetTensor& made_tensor(std::deque<NetTensor>& all, std::string_view name,
                              const std::vector<float>& numbers, const Dims& dims);
 
@@ -50,7 +50,7 @@ struct NetConstant {
 /// E0616.
 std::optional<std::vector<float>> read_floats(const NetConstant& constant, PolicyProblem& problem);
 
-/// The values in that order, whatever their type is; of int64 those below 2^53 exactly.
+/// The values in that order, of any type; int64 is exact below 2^53.
 std::vector<double> read_numbers(const NetConstant& constant);
 
 /// Plus or minus infinity, if that is the only value.

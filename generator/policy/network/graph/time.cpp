@@ -126,7 +126,7 @@ NetValue along_time(const NetCall& call, NetTimeRule rule, NetValue value) {
   bool any = is_cell;
   for (std::size_t i = 0; i < call.input_count(); ++i) any = any || call.input(i).time != 0;
   if (!any) return value;
-  // What cannot be an action by itself has its problem already, but its shape may be of use.
+  // A value that cannot be an action already has a problem, but its shape may be useful.
   const auto is_usual = [](const NetValue& some) {
     return some.shape && some.shape->size() <= kMaxRank;
   };

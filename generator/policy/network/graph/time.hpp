@@ -1,6 +1,6 @@
-// Files that take a sequence of any length from zeros on are evaluated one step at a time: cells
-// remember what was before. That is the same as long as nothing else looks at the other steps, so
-// their axis is followed, although its size is 1 here; all shapes look alike without it.
+// Evaluates files that take a sequence of any length, with an initial state of zero, one step at a
+// time: cells keep the state. The result is the same if no other operator mixes steps. To check
+// this, this file tracks the time axis, which has size 1 here and cannot be recognized by shapes.
 #pragma once
 
 #include <cstdint>

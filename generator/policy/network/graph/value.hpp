@@ -16,7 +16,7 @@
 
 namespace eagerx::gen {
 
-/// A layer whose numbers lie in the file. With a memory: NetRecurrence.
+/// A layer whose numbers are in the file. With memory: NetRecurrence.
 struct NetLayer {
   LayerForm form{};
   std::optional<NetConstant> weights{};  // as a Layer's
@@ -38,7 +38,7 @@ struct NetNorm {
   float epsilon = 1e-5F;
 };
 
-/// Zeros around an image, for the pool or convolution behind it.
+/// Zeros around an image, for the pool or convolution after it.
 struct NetPad {
   std::uint32_t top = 0, left = 0, bottom = 0, right = 0;
 };

@@ -22,7 +22,7 @@ class LinuxPins {
  public:
   static void prepare() { ask_for_real_time(static_cast<int>(Config::priority)); }
 
-  /// Opens everything that is named. False if something is missing, which is said.
+  /// Opens all named devices. False if one is missing, which is reported.
   template <class Link>
   static bool open(Link& link) {
     auto& hardware = link.hardware();

@@ -10,8 +10,8 @@
 
 namespace eagerx::models {
 
-/// Locks the program's memory and gives it real-time priority `priority` (SCHED_FIFO), unless that
-/// is 0. What is not allowed is said once, and the program continues.
+/// Locks the program's memory, and gives it real-time priority `priority` (SCHED_FIFO), unless that
+/// is 0. Missing permissions are reported once, and the program continues.
 inline void ask_for_real_time(int priority) {
   const auto say = [](const char* what, const char* help) {
     static_cast<void>(

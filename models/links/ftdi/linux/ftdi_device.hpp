@@ -56,7 +56,7 @@ class FtdiDevice {
     if (open_) ftdi_usb_close(context_);
     open_ = false;
   }
-  /// After the last use: gives the memory back.
+  /// Frees the memory after the last use.
   void free() {
     close();
     if (context_ != nullptr) ftdi_free(context_);

@@ -21,9 +21,9 @@ struct LinkCounts {
   std::uint64_t resyncs = 0;        // answers given up and thrown away
 };
 
-/// A bus (SpiBus, I2cBus, GpioBus). A chip that is gone is looked for again by the next run() or
-/// post(), at most every kRetryNs; nothing that was queued meanwhile is sent later. All bytes are
-/// zero until open().
+/// A bus (SpiBus, I2cBus, GpioBus). If the chip is gone, run() and post() look for it again, at
+/// most every kRetryNs; transfers queued in the meantime are not sent later. All bytes are zero
+/// until open().
 class FtdiLink {
  public:
   using Clock = LinuxClock;
@@ -39,7 +39,7 @@ class FtdiLink {
   void close() { device_.free(); }
   bool is_open() const { return device_.is_open(); }
   const LinkCounts& counts() const { return counts_; }
-  /// f(name, count) for each.
+  /// Calls f(name, count) for each count.
   template <class F>
   void for_each_count(F&& f) const {
     f("round trips", counts_.round_trips);
@@ -81,7 +81,7 @@ class FtdiLink {
     }
     return error;
   }
-  /// The same; nothing is waited for when no answer is expected.
+  /// The same; does not wait if no answer is expected.
   BusError post() { return run(); }
 
  private:
@@ -128,8 +128,8 @@ class FtdiLink {
     if (Clock::now_ns() - tried_ns_ >= kRetryNs && connect()) ++counts_.reconnects;
   }
 
-  /// Throws away what may still be on its way: an unknown command is answered with FA and itself.
-  /// Two of them in a row, as FA AA alone may be a part of an old answer.
+  /// Discards bytes in flight: the chip answers an unknown command with FA and the command. Sends
+  /// two of them, because FA AA alone may be part of an old answer.
   bool resynchronise() {
     constexpr std::uint32_t kAnswer = 0xfaaafaab;
     if (unsure_) ++counts_.resyncs;

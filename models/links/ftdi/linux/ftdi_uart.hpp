@@ -35,7 +35,7 @@ class FtdiUart {
     if (!device_.is_open()) return BusError::link_lost;
     return checked(device_.read<Clock>(in, n, Clock::now_ns() + timeout_ms_ * kNsPerMs));
   }
-  /// Throws away what has come in.
+  /// Discards received bytes.
   void flush() {
     if (device_.is_open()) ftdi_tcioflush(device_.context());
   }

@@ -55,7 +55,7 @@ def _say_stepping(made, progress=True, **_building):
 
 
 def _with_program(start, graph, building):
-    """What `start` makes of the path of a graph's program; of a program that is built already, itself."""
+    """Calls start(path) with the program of a graph, which it builds unless `graph` is a program."""
     engine, variant = building.get("engine"), building.get("variant")
     graph, paths = checked(graph, engine, building.get("paths", ()), variant)
     if is_program(graph):

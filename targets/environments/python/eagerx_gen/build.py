@@ -143,7 +143,7 @@ def moves_hardware(graph, engine, paths, variant=None):
 
 
 def near_of(path):
-    """What a file that is not there may have been meant for, or nothing."""
+    """A suggestion for the name of a missing file, or an empty string."""
     with contextlib.suppress(OSError):
         near = difflib.get_close_matches(path.name, os.listdir(path.parent), 1, 0.8)
         return f"; did you mean {near[0]}?" if near else ""

@@ -1,4 +1,4 @@
-"""What is wrong with what somebody gave, as a ValueError that says it."""
+"""Checks of arguments, which raise a ValueError with the reason."""
 from __future__ import annotations
 
 import difflib
@@ -111,7 +111,7 @@ def refuse_others(what, given, known, instead):
 
 
 OPTIONS = {"states": "give options={'states': {…}}", "stage": "give options={'stage': …}", "option": "did you mean 'options'?"}
-"""What to write instead of keywords of reset() that are options of it."""
+"""Replacements for keywords of reset() that belong into its options."""
 
 
 def arguments(what, **instead):

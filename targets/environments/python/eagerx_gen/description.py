@@ -1,4 +1,4 @@
-"""What a library or a program says of its graph."""
+"""The description of a graph by its library or program."""
 from __future__ import annotations
 
 import difflib

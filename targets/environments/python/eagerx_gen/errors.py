@@ -1,12 +1,12 @@
-"""What goes wrong."""
+"""Exceptions of this package."""
 
 
 class Error(RuntimeError):
-    """What a library, or eagerx-gen, says is wrong."""
+    """A problem that a library or eagerx-gen reports."""
 
 
 class RewardNotFinite(Error):
-    """Of a step, which was made."""
+    """The reward of a step is not finite. The step has been made."""
 
 
 def need(package, install):

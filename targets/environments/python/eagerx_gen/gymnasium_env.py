@@ -110,7 +110,7 @@ class Env(checks.Single, gymnasium.Env):
         return {"critic": {name: rows[0] for name, rows in self.environments.critic().items()}}
 
     def render(self):
-        """What the graph's `render:` showed last; None without a render mode."""
+        """The last picture of the graph's `render:`; None without a render mode."""
         self.environments.check_open()
         if self.render_mode is None:
             return None

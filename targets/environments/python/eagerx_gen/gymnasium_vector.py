@@ -59,7 +59,7 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
         self._take_rows()
 
     def _take_rows(self):
-        """What a step needs, looked up once: some tenths of a microsecond of each step."""
+        """Looks up attributes that steps need once, which saves some tenths of a microsecond per step."""
         rows, mode = self.environments, self.environments.autoreset
         self._is_next_step, self._is_same_step, self._must_reset = (mode == each for each in ("next_step", "same_step", "disabled"))
         self._action_rows, self._observation_rows, self._reward = rows.action, rows.observation, rows.reward
@@ -158,7 +158,7 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
         return {} if b"\0" not in resets.tobytes() else self._info(~resets, resets)
 
     def _info(self, mask, others=None):
-        """What Gymnasium makes of Env's info of the environments of `mask`; all keys of a mask share that array. others: ~mask, if any.
+        """The info of the environments in `mask`, as Gymnasium combines it; all keys share the mask's array. others: ~mask, if any.
 
         One conversion for all terms: one for each would cost more than the rest of a step.
         """
@@ -170,7 +170,7 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
                 "_terms": mask}
 
     def _add_critic(self, info, mask=None, final=False):
-        """What only the critic of a training sees, where the graph's task says so: of a reset, too. mask None: of all."""
+        """Adds the critic's inputs to the info, if the graph's task has any; also after a reset. mask None: all environments."""
         if not self._says_critic:
             return
         seen = self.environments.critic(final)

@@ -178,7 +178,7 @@ class Environments(checks.Single):
         raise kind(self._library.c.eagerx_error().decode(errors="replace"))
 
     def _call(self, function, *arguments):
-        """What a function of the library answers, to one thread at a time."""
+        """Calls a function of the library, from one thread at a time."""
         with self._turn:
             result = function(self._open(), *arguments)
         return result
@@ -287,7 +287,7 @@ class Environments(checks.Single):
         return text.decode()
 
     def counts(self):
-        """What guards and nodes have counted: {"safe: action not finite: voltage": 3}; and {"not finite: task.angle": 12} steps."""
+        """Counts of guards and nodes, {"safe: action not finite: voltage": 3}, and of steps, {"not finite: task.angle": 12}."""
         text = self._call(self._library.c.eagerx_counts)
         if text is None:
             self._fail()

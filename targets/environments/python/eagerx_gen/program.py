@@ -44,7 +44,7 @@ os.register_at_fork(after_in_child=_forget_in_child)
 
 
 class Program(Described):
-    """What the program of a graph says of it."""
+    """The description of a graph by its program."""
 
     render_modes = ("human", "rgb_array")
 
@@ -230,11 +230,11 @@ class RunningProgram(checks.Single):
         self._ask(_TUNE, row=tuning_row(self.library, parameters, 1)[0].tobytes())
 
     def counts(self):
-        """What guards, engine and nodes have counted: {"safe: times": 1}."""
+        """Counts of guards, engine and nodes: {"safe: times": 1}."""
         return json.loads(self._pieces(_COUNTS))
 
     def hash(self, environment=0):
-        """Of all messages."""
+        """The hash of all messages."""
         return self._ask(_HASH)[0][3]
 
     def picture(self, environment=0, size=None):

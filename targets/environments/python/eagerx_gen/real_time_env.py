@@ -38,7 +38,7 @@ class RealTimeEnv(Env):
         return {**super()._info(rows), "late": rows.late, "applied": rows.applied[0].copy()}
 
     def render(self):
-        """What the graph's `render:` showed last; None without a render mode, or with a window."""
+        """The last picture of the graph's `render:`; None without a render mode, or with a window."""
         self.environments.check_open()
         if self.render_mode != "rgb_array":
             return None

@@ -61,7 +61,7 @@ class VecEnv(checks.Single, _base.VecEnv):
         super().set_options(options)
 
     def _set_options(self):
-        """What set_options() said, for the episodes that begin now."""
+        """The options of set_options(), for the episodes that begin now."""
         given = [dict(own or {}) for own in self._options]
         names = [field.name for field in self.library.states]
         states = [{spelled(name, names): value for name, value in own.get("states", {}).items()} for own in given]

@@ -1,4 +1,4 @@
-// The gradients of all parts, added in the order of parts, by however many ranks.
+// Adds the gradients of all parts in the order of the parts, with any number of ranks.
 #pragma once
 
 #include <span>
@@ -11,9 +11,9 @@ namespace eagerx::train {
 
 using environments::Ranks;
 
-/// Each rank adds one slice of the numbers, of all parts, and gives the sums to the others: so it
-/// sends and gets two gradients, however many ranks there are. Numbers do not mix: slices change no
-/// bit.
+/// Each rank adds one slice of the numbers over all parts, and sends the sums to the others, so it
+/// sends and receives two gradients for any number of ranks. Slices do not change bits, because
+/// numbers do not mix.
 class GradientSum {
  public:
   GradientSum(Ranks& ranks, const Model& model);

@@ -1,4 +1,4 @@
-// Collective operations of ranks: one of them has a problem, and all say so.
+// Collective operations of ranks: a problem of one rank ends all of them.
 #pragma once
 
 #include <functional>
@@ -18,8 +18,8 @@ using environments::Ranks;
 std::vector<std::string> together(Ranks& ranks, const std::function<void()>& work,
                                   const std::function<std::string()>& bytes);
 
-/// Called by all ranks: each works on its share of `parts`, then all have what all have seen. One
-/// rank works, and that is all.
+/// Called by all ranks: each works on its share of `parts`, then all have the statistics of all
+/// parts. A single rank only works.
 void share_seen(Ranks& ranks, const std::vector<std::unique_ptr<RolloutStatistics>>& parts,
                 const std::function<void()>& work);
 

@@ -45,10 +45,10 @@ class Cell {
   std::size_t end() const { return after() + shape_.state(); }
 
   /// Weights normal with a deviation of 1/√inputs; biases 0, of an LSTM's forget gate 1
-  /// (Jozefowicz, Zaremba, Sutskever 2015): at first it keeps what it remembers.
+  /// (Jozefowicz, Zaremba, Sutskever 2015): at first it keeps its state.
   void sample(Random& random, float* parameters) const;
 
-  /// Fills the rest of the cell's part of `row`, whose inputs and state before are there.
+  /// Fills the rest of the cell's part of `row`, which has the inputs and the previous state.
   void forward(const Kernels& kernels, const float* parameters, Simd* row) const;
 
   /// Adds the gradient of `steps` rows that follow one another to `gradient`. `deltas`: the caller

@@ -8,7 +8,7 @@
 
 namespace eagerx::train {
 
-/// States of some tiles of environments; of a network without a memory there are none.
+/// States of some tiles of environments; none for a network without memory.
 class States {
  public:
   States(std::size_t tiles, CellShape shape) : width_(shape.state()), simds_(tiles * width_) {}
@@ -39,7 +39,7 @@ class States {
   void save(std::vector<float>& to) const {
     for (const Simd& simd : simds_) to.insert(to.end(), simd.lane, simd.lane + kLanes);
   }
-  /// Takes them again. Returns what is behind them.
+  /// Restores the states. Returns a pointer past them.
   const float* restore(const float* from) {
     for (Simd& simd : simds_) {
       std::copy_n(from, kLanes, simd.lane);
@@ -56,7 +56,7 @@ class States {
   Simds simds_;
 };
 
-/// Begins a row with the previous state where `continues` is 1, or with none, where it is 0.
+/// Begins a row with the previous state if `continues` is 1, or with zeros if it is 0.
 inline void recall(const Network& network, const Simd& continues, const Simd* state, Simd* row) {
   const Cell& cell = *network.memory();
   for (std::size_t i = 0; i < cell.shape().state(); ++i) {

@@ -1,4 +1,4 @@
-// The environments that SAC learns from, and the episodes that they are in.
+// The environments that SAC learns from, and their episodes.
 #pragma once
 
 #include <cstdint>

@@ -42,7 +42,7 @@ class Learner {
 
   Gradient gradient;
 
-  /// Takes samples from the memory, with what `random` gives, and sums up their gradients.
+  /// Samples transitions from the memory with `random`, and sums up their gradients.
   void learn(const Frozen& frozen, Random random);
   /// The same for transitions at these places of the memory [tiles * kLanes].
   void learn(const Frozen& frozen, const std::vector<std::size_t>& places, Random random);

@@ -8,7 +8,7 @@
 
 namespace eagerx::train::sac {
 
-/// One step of one environment, with numbers as they came: what normalises them may still change.
+/// One step of one environment, without normalization, because the statistics may still change.
 struct Transition {
   const float* observation;  // [width]
   const float* next;         // [width], of the same episode also where it ended
@@ -50,7 +50,7 @@ class Memory {
     return at(static_cast<std::size_t>((added - 1 - back) % capacity_));
   }
 
-  /// Whether rows and count belong together, as they do unless somebody else has filled them in.
+  /// Whether rows and count are consistent, which external data may violate.
   bool is_whole() const { return rows.size() == std::min<std::uint64_t>(added, capacity_) * row(); }
 
   std::vector<float> rows;  // [size][row]

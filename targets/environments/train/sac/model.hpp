@@ -25,7 +25,7 @@ inline constexpr std::uint64_t kMostReplayed = 1'000'000'000'000;
 
 /// Actor, critics and memory, with all that the next update depends on.
 struct Model {
-  /// `inputs` of the actor; the critics see `more` behind them.
+  /// `inputs` of the actor; the critics have `more` after them.
   Model(const train::Settings& settings, std::size_t inputs, const Head& head, std::size_t more = 0)
       : actor(inputs, settings.net_arch, 2 * head.numbers, settings.activation_fn),
         critic(inputs + more + head.numbers, settings.net_arch, 1, settings.activation_fn),

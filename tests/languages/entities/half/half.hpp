@@ -1,4 +1,4 @@
-// What half.py does.
+// The same as half.py.
 #pragma once
 
 #include <eagerx/message.hpp>

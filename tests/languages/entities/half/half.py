@@ -1,4 +1,4 @@
-"""What half.hpp does."""
+"""The same as half.hpp."""
 import numpy as np
 
 

@@ -1,4 +1,4 @@
-// What mixer.py does, number by number.
+// The same as mixer.py, number by number.
 #pragma once
 
 #include <cstddef>

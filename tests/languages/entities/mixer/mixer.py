@@ -1,4 +1,4 @@
-"""What mixer.hpp does, number by number."""
+"""The same as mixer.hpp, number by number."""
 import numpy as np
 
 

@@ -29,7 +29,7 @@ class VectorEnv:
 
 
 class SyncVectorEnv(VectorEnv):
-    """What Gymnasium's documentation says of the three modes, for lists of environments with the same spaces."""
+    """The three modes as in Gymnasium's documentation, for lists of environments with the same spaces."""
 
     def __init__(self, makers, autoreset_mode=AutoresetMode.NEXT_STEP):
         self.envs = [make() for make in makers]
