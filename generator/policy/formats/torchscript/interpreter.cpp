@@ -255,6 +255,22 @@ std::optional<std::uint32_t> TorchInterpreter::changed() const {
   return std::nullopt;
 }
 
+std::vector<std::uint32_t> TorchInterpreter::zeros() const {
+  std::vector<std::uint32_t> found;
+  PolicyProblem ignored;
+  for (const auto& [index, cell] : cells_) {
+    const NetValue& value = cell->value;
+    const bool is_buffer = value.kind == NetValue::Kind::constant && value.shape;
+    const auto count = is_buffer ? element_count(*value.shape) : std::nullopt;
+    if (!count || value.shape->size() < 2 || !state_.spend(*count)) continue;
+    const auto numbers = read_floats(value.constant, ignored);
+    if (numbers && ranges::all_of(*numbers, [](float x) { return x == 0.0F; })) {
+      found.push_back(index);
+    }
+  }
+  return found;
+}
+
 std::optional<std::uint32_t> TorchInterpreter::index_of(const TorchValue& module,
                                                         const std::string& name) {
   const Pickle& all = archive_.pickle(0);

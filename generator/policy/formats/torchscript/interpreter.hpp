@@ -43,6 +43,8 @@ class TorchInterpreter {
   [[nodiscard]] std::int64_t followed() const { return followed_; }
   /// A buffer, not among `histories`, that is changed into something else than a recurrent state.
   [[nodiscard]] std::optional<std::uint32_t> changed() const;
+  /// Buffers of several axes that were read, and are zeros.
+  [[nodiscard]] std::vector<std::uint32_t> zeros() const;
   /// Of each of `histories` that was read the step that stands for its values.
   [[nodiscard]] const std::map<std::uint32_t, std::int32_t>& former_values() const {
     return former_;

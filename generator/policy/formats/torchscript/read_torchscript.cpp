@@ -147,6 +147,12 @@ class TorchReading {
   /// Again with each buffer that `forward` changes as a history: what is known of its former
   /// numbers is only where they are. If none is one, the first problem stays.
   void follow(const std::vector<std::int64_t>& sizes, TorchTry& made) {
+    follow_changes(sizes, made);
+    const PolicyProblem first = made.problem;
+    while (!made.action && add_history(sizes, made)) follow_changes(sizes, made);
+    if (!made.action) made.problem = first;
+  }
+  void follow_changes(const std::vector<std::int64_t>& sizes, TorchTry& made) {
     std::optional<PolicyProblem> first;
     for (;;) {
       made.state = {};
@@ -160,6 +166,23 @@ class TorchReading {
       if (!first) first = made.problem;
     }
     if (!made.action && first && !first->code.empty()) made.problem = *first;
+  }
+  /// A buffer of zeros with which `forward` comes farther if it is a history: it may be read in a
+  /// way that zeros cannot be, before it is changed.
+  bool add_history(const std::vector<std::int64_t>& sizes, TorchTry& made) {
+    constexpr std::size_t kMostBuffers = 8;
+    std::size_t tried = 0;
+    for (const std::uint32_t index : made.interpreter->zeros()) {
+      if (made.histories.contains(index) || ++tried > kMostBuffers) continue;
+      TorchTry other;
+      other.histories = made.histories;
+      other.histories.insert(index);
+      follow_once(sizes, other);
+      if (!other.action && other.interpreter->followed() <= made.interpreter->followed()) continue;
+      made.histories = other.histories;
+      return true;
+    }
+    return false;
   }
   void follow_once(const std::vector<std::int64_t>& sizes, TorchTry& made) {
     made.state.has_gates_of_onnx = false;
