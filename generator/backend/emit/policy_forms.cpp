@@ -134,10 +134,7 @@ class Form {
     set_weights(
         fmt::format("eagerx::{}Weights<{}, {}{}>", name, layer_.inputs, layer_.outputs, storage()),
         "{", "}", std::move(parts));
-    data memory{data::type::object};
-    memory.set("member", fmt::format("eagerx::{}Memory<{}{}> layer{}", name, layer_.outputs,
-                                     real_ == "float" ? "" : ", " + real_, number_));
-    view_["memory"] = std::move(memory);
+    set_memory(name, layer_.outputs);
     lines_.push_back(fmt::format("eagerx::{}(kLayer{}, {}, memory.layer{}, {});",
                                  cell.is_lstm ? "lstm" : "gru", number_, x_, number_, y_));
   }
@@ -158,6 +155,11 @@ class Form {
               fmt::format("[{}]", layer_.bias.size()));
     lines_.push_back(fmt::format("eagerx::policy::{}(kConstants{}, {}, {});",
                                  to_string(form.operation), number_, x_, y_));
+  }
+
+  void write(const History& /*form*/) {
+    set_memory("History", layer_.remembers());
+    lines_.push_back(fmt::format("eagerx::history({}, memory.layer{}, {});", x_, number_, y_));
   }
 
   void write(const Combination& form) {
@@ -205,6 +207,13 @@ class Form {
     data item{data::type::object};
     item.set("literal", kernel_literal(kernel));
     view_["kernel"] = std::move(item);
+  }
+  /// A member of what the network remembers.
+  void set_memory(const char* name, std::uint32_t size) {
+    data item{data::type::object};
+    item.set("member", fmt::format("eagerx::{}Memory<{}{}> layer{}", name, size,
+                                   real_ == "float" ? "" : ", " + real_, number_));
+    view_["memory"] = std::move(item);
   }
   void set_weights(const std::string& type, const char* open, const char* close, data parts) {
     data item{data::type::object};

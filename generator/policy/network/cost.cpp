@@ -42,6 +42,9 @@ std::string form_note(const Layer& layer) {
   if (const auto* form = std::get_if<Reduction>(&layer.form)) {
     return fmt::format(" {}", to_string(form->kind));
   }
+  if (const auto* form = std::get_if<History>(&layer.form)) {
+    return fmt::format(" history of {}", form->length);
+  }
   if (const auto first = first_of_slice(layer); first && !layer.takes.empty()) {
     return fmt::format(" slice from {}", *first);
   }

@@ -338,6 +338,13 @@ Values<Real> answer_of(const Layer& layer, const Values<Real>& x, Values<Real>& 
     memory.resize(layer.remembers(), Real(0));
     return cell->is_lstm ? lstm(layer, *cell, x, memory) : gru(layer, *cell, x, memory);
   }
+  if (std::holds_alternative<History>(layer.form)) {
+    memory.resize(layer.remembers(), Real(0));
+    memory.insert(memory.end(), x.begin(), x.end());
+    const Values<Real> y = memory;
+    memory.erase(memory.begin(), memory.begin() + static_cast<std::ptrdiff_t>(x.size()));
+    return y;
+  }
   if (const auto* form = std::get_if<Reorder>(&layer.form)) {
     Values<Real> y;
     y.reserve(form->from.size());

@@ -126,8 +126,15 @@ struct Reduction {
 };
 const char* to_string(Reduction::Kind kind);
 
+/// The newest `length` values of the input, oldest first. It remembers all but the last; they are
+/// zeros when an episode starts.
+struct History {
+  std::uint32_t length = 1;
+  bool operator==(const History&) const = default;
+};
+
 using LayerForm = std::variant<Dense, Convolution, Pooling, Recurrence, Elementwise, Reorder,
-                               Combination, Function, Reduction>;
+                               Combination, Function, Reduction, History>;
 
 /// y = activation(norm(W x + b)), or the operation of `form` instead of W x + b.
 struct Layer {
@@ -150,10 +157,11 @@ struct Layer {
   /// Whether it knows more of its input than how many numbers there are.
   [[nodiscard]] bool depends_on_shape() const {
     return std::holds_alternative<Convolution>(form) || std::holds_alternative<Pooling>(form) ||
-           std::holds_alternative<Reorder>(form);
+           std::holds_alternative<Reorder>(form) || std::holds_alternative<History>(form);
   }
   /// Numbers that it remembers from one observation to the next.
   [[nodiscard]] std::uint32_t remembers() const {
+    if (std::holds_alternative<History>(form)) return outputs - inputs;
     return recurrence() == nullptr ? 0 : outputs * (recurrence()->is_lstm ? 2 : 1);
   }
 };

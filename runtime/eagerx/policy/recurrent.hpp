@@ -1,4 +1,5 @@
-// Recurrent layers of trained networks: GRU and LSTM, one observation at a time, in float32.
+// Recurrent layers of trained networks: GRU, LSTM and histories, one observation at a time, in
+// float32.
 //
 // Both products are dense layers (eagerx/policy.hpp) with their own biases, so their sums have the
 // same order and the same bits on every machine; what follows is element by element. `Layer` is
@@ -91,6 +92,21 @@ inline void lstm(const LstmWeights<In, Hidden, Layer>& layer, const R (&x)[In],
     y[k] = gates[2 * Hidden + k] * y[k];
     memory.h[k] = y[k];
   }
+}
+
+/// The values before, oldest first; zero when an episode starts.
+template <std::size_t Count, class R = float>
+struct HistoryMemory {
+  R values[Count];
+};
+
+/// y: the values before, then `x`; all but the oldest are remembered. `x` and `y` must not overlap.
+template <class R, std::size_t In, std::size_t Count, std::size_t Out>
+inline void history(const R (&x)[In], HistoryMemory<Count, R>& memory, R (&y)[Out]) {
+  static_assert(Out == In + Count, "a history has the values before and the new one");
+  for (std::size_t i = 0; i < Count; ++i) y[i] = memory.values[i];
+  for (std::size_t i = 0; i < In; ++i) y[Count + i] = x[i];
+  for (std::size_t i = 0; i < Count; ++i) memory.values[i] = y[In + i];
 }
 
 }  // namespace eagerx

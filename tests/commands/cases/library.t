@@ -70,3 +70,9 @@ What is to be filled in of a main loop: an output is within the limits of `safet
   $ grep "FILL IN ." loop/examples/poisoned/hardware.h
     // FILL IN speed: float32 [1], from -2 to 2; one number
     // FILL IN position: float32 [1], from -1 to 1; the sum
+In the comments of a library, an output has the limits of `safety:`.
+  $ sed 's/low: .-60.0, -30.0., high: .60.0, 30.0./low: -60.0, high: 60.0/' "$root/tests/own_loop/arm.yaml" >arm.yaml
+  $ eagerx-gen generate arm.yaml --library -o arm | head -n 1
+  arm: 9 files written, 0 unchanged
+  $ grep seen.torque arm/arm.hpp
+  //     … = seen.torque.back();  // eagerx::Array<float, 2>, float32 [2], from -60 to 60

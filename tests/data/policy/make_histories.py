@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Writes more TorchScript archives of torchscript/ and their golden rows, in the way of make_torchscript.py:
     cd tests/data/policy && ./make_histories.py
-Convolutions over a history of observations as parkour policies have them, comparisons with `where`, and modules that
-return several results.
+Convolutions over a history of observations as parkour policies have them, histories that modules keep in buffers,
+comparisons with `where`, and modules that return several results.
 """
 import copy
 from typing import Tuple
@@ -33,6 +33,98 @@ class History(nn.Module):
         output = self.conv_layers(projection.reshape([nd, self.steps, -1]).permute((0, 2, 1)))
         latent = self.linear_output(output)
         return self.actor(torch.cat((obs[:, -self.size:], latent), dim=-1))
+
+
+class KeptFrames(nn.Module):
+    """Keeps the last four observations, newest last, for an encoder."""
+
+    def __init__(self):
+        super().__init__()
+        self.encoder = mlp([20, 9, 3], nn.ELU)
+        self.actor = mlp([8, 7, 2], nn.ELU)
+        self.register_buffer("history", torch.zeros(1, 4, 5))
+
+    def forward(self, x):
+        self.history = torch.cat((self.history[:, 1:], x.unsqueeze(1)), dim=1)
+        return self.actor(torch.cat((x, self.encoder(self.history.flatten(1))), dim=-1))
+
+
+class KeptFlat(nn.Module):
+    """Newest first, in one row, written in place; the observation is normalized before it is kept (HIMLoco)."""
+
+    def __init__(self):
+        super().__init__()
+        self.normalizer = make.EmpiricalNormalization(3)
+        self.actor = mlp([12, 8, 2], nn.ELU)
+        self.register_buffer("history", torch.zeros(1, 12))
+
+    def forward(self, x):
+        before = self.history[:, :-3].clone()
+        self.history[:] = torch.cat((self.normalizer(x), before), dim=-1)
+        return self.actor(self.history)
+
+
+class KeptRolled(nn.Module):
+    """Two histories of different length, rolled; of the second only two numbers of the observation are kept."""
+
+    def __init__(self):
+        super().__init__()
+        self.actor = mlp([27, 8, 2], nn.Tanh)
+        self.register_buffer("history", torch.zeros(1, 3, 5))
+        self.register_buffer("speeds", torch.zeros(1, 2, 6))
+
+    def forward(self, x):
+        self.history = torch.roll(self.history, 1, 1)
+        self.history[:, 0] = x
+        self.speeds[:, :, :-1] = self.speeds[:, :, 1:].clone()
+        self.speeds[:, :, -1] = x[:, 2:4]
+        return self.actor(torch.cat((self.history.flatten(1), self.speeds.flatten(1)), dim=-1))
+
+
+class KeptBefore(nn.Module):
+    """The encoder reads the observations before this one, in a convolution; a GRU follows."""
+
+    def __init__(self):
+        super().__init__()
+        self.encoder = nn.Sequential(nn.Conv1d(3, 4, 3), nn.ELU(), nn.Flatten())
+        self.rnn = nn.GRU(11, 6)
+        self.head = nn.Linear(6, 2)
+        self.register_buffer("history", torch.zeros(1, 3, 4))
+        self.register_buffer("hidden_state", torch.zeros(1, 1, 6))
+
+    def forward(self, x):
+        y = torch.cat((x, self.encoder(self.history)), dim=-1)
+        self.history = torch.cat((self.history[:, :, 1:], x.unsqueeze(-1)), dim=-1)
+        y, h = self.rnn(y.unsqueeze(0), self.hidden_state)
+        self.hidden_state[:] = h
+        return self.head(y.squeeze(0))
+
+
+class KeptActions(nn.Module):
+    """What it keeps depends on what it kept: its own actions."""
+
+    def __init__(self):
+        super().__init__()
+        self.actor = mlp([9, 6, 2], nn.Tanh)
+        self.register_buffer("actions", torch.zeros(1, 4))
+
+    def forward(self, x):
+        y = self.actor(torch.cat((x, self.actions), dim=-1))
+        self.actions = torch.cat((self.actions[:, 2:], y), dim=-1)
+        return y
+
+
+class KeptMean(nn.Module):
+    """A running mean."""
+
+    def __init__(self):
+        super().__init__()
+        self.actor = mlp([5, 6, 2], nn.Tanh)
+        self.register_buffer("mean", torch.zeros(1, 5))
+
+    def forward(self, x):
+        self.mean = 0.9 * self.mean + 0.1 * x
+        return self.actor(x - self.mean)
 
 
 class Picture(nn.Module):
@@ -136,3 +228,9 @@ if __name__ == "__main__":
     make.write("reordered", Reordered(), 6, "traced", "onnx")
     make.write("some_joints", SomeJoints(False), 6, "traced")
     make.write("kept_joints", SomeJoints(True), 6, "traced")
+    make.write("kept_frames", KeptFrames(), 5, "scripted")
+    make.write("kept_flat", KeptFlat(), 3, "scripted")
+    make.write("kept_rolled", KeptRolled(), 5, "scripted")
+    make.write("kept_before", KeptBefore(), 3, "scripted")
+    make.save(torch.jit.script(KeptActions().eval()), "kept_actions_scripted")
+    make.save(torch.jit.script(KeptMean().eval()), "kept_mean_scripted")

@@ -197,21 +197,20 @@ def golden(make, name, inputs):
     """Answers to random observations; `make` gives the module that answers, in float32 or float64."""
     generator = torch.Generator().manual_seed(7)
     now, exact = make(torch.float32), make(torch.float64)
-    has_memory = hasattr(now, "hidden_state")
+    states = [state for state in ("hidden_state", "cell_state", "history", "speeds") if hasattr(now, state)]
     columns = {"obs": [], "network_out": [], "network_out_f64": [], "episode_start": []}
     for i in range(ROWS):
         if i % EPISODE == 0:
             for module in (now, exact):
-                for state in ("hidden_state", "cell_state"):
-                    if hasattr(module, state):
-                        getattr(module, state).zero_()
+                for state in states:
+                    getattr(module, state).zero_()
         x = torch.round(32 * torch.randn(1, inputs, generator=generator)) / 16
         with torch.no_grad():
             columns["obs"].append(x.numpy().ravel())
             columns["network_out"].append(now(x).numpy().ravel())
             columns["network_out_f64"].append(exact(x.double()).numpy().ravel())
         columns["episode_start"].append([float(i % EPISODE == 0)])
-    if not has_memory:
+    if not states:
         del columns["episode_start"]
     np.savez_compressed(OUT / f"{name}_golden.npz", **{key: np.array(value) for key, value in columns.items()})
 

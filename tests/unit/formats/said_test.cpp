@@ -111,6 +111,43 @@ TEST(SaidLayers, AreFollowedByOneActivationOrTheirOwn) {
                         with_layers({"bn1", "fc1", "relu", "fc2", "elu", "out"}));
 }
 
+/// Dense layers of these names and sizes, of three inputs.
+std::string layers_called(const std::vector<std::string>& names, const std::vector<int>& outputs) {
+  std::vector<test::NamedValues> table;
+  int inputs = 3;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::vector<float> weights;
+    for (int k = 0; k < inputs * outputs[i]; ++k) weights.push_back(0.125F * static_cast<float>(k));
+    table.push_back({names[i] + ".weight", {outputs[i], inputs}, weights});
+    table.push_back({names[i] + ".bias", {outputs[i]}, std::vector<float>(outputs[i], 0.5F)});
+    inputs = outputs[i];
+  }
+  return test::safetensors(table);
+}
+
+/// Names of tianshou's MLP and Net, and of actors that people write themselves.
+TEST(SaidLayers, HaveTheNamesOfAnyLibrary) {
+  const std::vector<std::vector<std::string>> all = {
+      {"preprocess.model.model.0", "preprocess.model.model.2", "last.model.0"},
+      {"fc1", "fc2", "mu"},
+      {"net.0", "net.2", "mean_head"}};
+  for (const std::vector<std::string>& names : all) {
+    const std::string bytes = layers_called(names, {5, 4, 2});
+    Diagnostics asked;
+    EXPECT_FALSE(read_policy_bytes(bytes, "p", {}, asked));
+    EXPECT_EQ(asked.all().front().code, "E0629");
+    const std::string listed = names[0] + ", " + names[1] + ", " + names[2];
+    EXPECT_THAT(asked.all().front().help.text, HasSubstr("layers: [" + listed + "]"));
+    ReadContext context = with_layers(names);
+    context.activation = Activation::relu;
+    Diagnostics diagnostics;
+    const auto network = read_policy_bytes(bytes, "p", {}, diagnostics, context);
+    ASSERT_TRUE(network.has_value()) << listed;
+    EXPECT_EQ(network->layers.size(), 3U);
+    EXPECT_EQ(network->layers[1].activation, Activation::relu);
+  }
+}
+
 TEST(SaidLayers, ThatAreNotThereAreRefused) {
   const char* file = "libraries/named_trunk.pth";
   expect_said_refused(file, with_layers({"net.0", "net.1"}), "E0624",

@@ -60,16 +60,18 @@ double difference(const std::string& file) {
 
 TEST(TorchScript, AnswersAsTorchDoes) {
   for (const char* file :
-       {"mlp_scripted.pt",       "mlp_traced.pt",          "activations_scripted.pt",
-        "activations_traced.pt", "normalizer_scripted.pt", "normalizer_traced.pt",
-        "identity_scripted.pt",  "lstm_scripted.pt",       "lstm_two_scripted.pt",
-        "gru_scripted.pt",       "branches_scripted.pt",   "branches_traced.pt",
-        "residual_scripted.pt",  "residual_traced.pt",     "by_hand_half.pt",
-        "small_scripted.pt",     "branches.onnx",          "residual.onnx",
-        "history_scripted.pt",   "history_traced.pt",      "history.onnx",
-        "picture_scripted.pt",   "picture_traced.pt",      "conditions_scripted.pt",
-        "conditions_traced.pt",  "conditions.onnx",        "reordered_traced.pt",
-        "reordered.onnx",        "some_joints_traced.pt",  "kept_joints_traced.pt"}) {
+       {"mlp_scripted.pt",         "mlp_traced.pt",          "activations_scripted.pt",
+        "activations_traced.pt",   "normalizer_scripted.pt", "normalizer_traced.pt",
+        "identity_scripted.pt",    "lstm_scripted.pt",       "lstm_two_scripted.pt",
+        "gru_scripted.pt",         "branches_scripted.pt",   "branches_traced.pt",
+        "residual_scripted.pt",    "residual_traced.pt",     "by_hand_half.pt",
+        "small_scripted.pt",       "branches.onnx",          "residual.onnx",
+        "history_scripted.pt",     "history_traced.pt",      "history.onnx",
+        "picture_scripted.pt",     "picture_traced.pt",      "conditions_scripted.pt",
+        "conditions_traced.pt",    "conditions.onnx",        "reordered_traced.pt",
+        "reordered.onnx",          "some_joints_traced.pt",  "kept_joints_traced.pt",
+        "kept_frames_scripted.pt", "kept_flat_scripted.pt",  "kept_rolled_scripted.pt",
+        "kept_before_scripted.pt"}) {
     EXPECT_LT(difference(file), 2e-6) << file;
   }
 }
@@ -327,6 +329,35 @@ TEST(TorchScript, StatesAreKeptAndBeginWithZeros) {
     if (diagnostics.all().front().code == "E0756") ++refused;
   }
   EXPECT_EQ(refused, 1U);
+}
+
+/// What it keeps depends on itself, or is no number that was new once.
+TEST(TorchScript, OfBuffersOnlyStatesAndHistoriesAreKept) {
+  for (const auto& [file, buffer] :
+       {std::pair{"kept_actions_scripted.pt", "`actions`"}, {"kept_mean_scripted.pt", "`mean`"}}) {
+    expect_refused(bytes_of(file), "E0756", buffer);
+    expect_refused(bytes_of(file), "E0756", "not the state of a GRU or LSTM, nor a history");
+  }
+  // A history that does not begin with zeros; its storage has 20 numbers.
+  std::size_t refused = 0;
+  for (int i = 0; i < 9; ++i) {
+    Diagnostics diagnostics;
+    const std::string ones(80, '\x3f');
+    const auto bytes = changed("kept_frames_scripted.pt", fmt::format("data/{}", i), ones);
+    if (read_policy_bytes(bytes, "policy", {}, diagnostics)) continue;
+    if (diagnostics.all().front().code == "E0756") ++refused;
+  }
+  EXPECT_EQ(refused, 1U);
+}
+
+TEST(TorchScript, HistoriesHaveTheNumbersThatTheyNeed) {
+  std::vector<std::uint32_t> remembered;
+  for (const char* file : {"kept_frames_scripted.pt", "kept_rolled_scripted.pt"}) {
+    for (const Layer& layer : read_good(bytes_of(file)).layers) {
+      if (layer.remembers() > 0) remembered.push_back(layer.remembers());
+    }
+  }
+  EXPECT_THAT(remembered, testing::UnorderedElementsAre(20U, 15U, 12U));
 }
 
 TEST(TorchScript, WhatTheFileSaysIsNotSaidAgain) {

@@ -120,6 +120,20 @@ TEST(PolicyLayers, LstmIsTorchsFormula) {
   }
 }
 
+TEST(PolicyLayers, HistoryIsOldestFirstAndBeginsWithZeros) {
+  eagerx::HistoryMemory<4> memory{};
+  for (int step = 0; step < 5; ++step) {
+    const float x[2] = {static_cast<float>(step + 1), static_cast<float>(-step - 1)};
+    float y[6];
+    eagerx::history(x, memory, y);
+    for (int frame = 0; frame < 3; ++frame) {
+      const int number = std::max(step + frame - 1, 0);  // of its step, from 1 on; 0: before
+      EXPECT_EQ(y[2 * frame], static_cast<float>(number));
+      EXPECT_EQ(y[2 * frame + 1], static_cast<float>(-number));
+    }
+  }
+}
+
 constexpr eagerx::Kernel kKernel = {.channels = 4,
                                     .height = 7,
                                     .width = 9,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "generator/policy/formats/torchscript/interpreter.hpp"
+#include "generator/policy/formats/torchscript/states.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
@@ -99,7 +100,12 @@ std::optional<TorchValue> TorchInterpreter::evaluate(const TorchExpression& expr
 std::optional<TorchValue> TorchInterpreter::evaluate_name(const TorchExpression& expression,
                                                           Variables& variables) {
   const std::string& name = expression.text;
-  if (const auto known = variables.find(name); known != variables.end()) return known->second;
+  if (const auto known = variables.find(name); known != variables.end()) {
+    if (known->second.is_tensor() && known->second.tensor->is_stale()) {
+      return fail("uses a part of a tensor that was changed since");
+    }
+    return known->second;
+  }
   if (name == "None") return TorchValue();
   if (name == "True" || name == "False") return TorchValue::of(name == "True");
   return fail(fmt::format("uses `{}`, which is not known", printable(name)));
@@ -263,8 +269,10 @@ std::optional<TorchValue> TorchInterpreter::operation(const std::string& name,
   auto result = run_torch_operator(call, problem_);
   if (!result || !has_tensor || !result->is_tensor()) return result;
   if (is_view(name)) {
+    const std::shared_ptr<TorchTensor>& of = arguments.front().tensor;
     result->tensor->is_part = true;
-    arguments.front().tensor->is_part = true;
+    result->tensor->whole = of->whole ? of->whole : of;
+    result->tensor->version = result->tensor->whole->version;
   }
   return result;
 }
@@ -273,7 +281,8 @@ std::optional<TorchValue> TorchInterpreter::in_place(const std::string& name,
                                                      std::vector<TorchValue> arguments,
                                                      Named named) {
   const TorchValue target = arguments.front();
-  if (target.tensor->is_part) return fail("changes a part of a tensor");
+  if (name == "copy_" && target.tensor->whole) return copy_into_part(target, arguments);
+  if (target.tensor->is_part || target.tensor->is_shared) return fail("changes a part of a tensor");
   NetValue value;
   if (name == "copy_") {
     const bool fits = arguments.size() > 1 && arguments[1].is_tensor() &&
@@ -290,7 +299,34 @@ std::optional<TorchValue> TorchInterpreter::in_place(const std::string& name,
   }
   target.tensor->value = std::move(value);
   target.tensor->is_written = true;
+  ++target.tensor->version;
   return target;
+}
+
+/// `history[:, -1] = x`: the numbers of the whole, and those of x where the part has its own.
+std::optional<TorchValue> TorchInterpreter::copy_into_part(
+    const TorchValue& part, const std::vector<TorchValue>& arguments) {
+  TorchTensor& whole = *part.tensor->whole;
+  const bool is_buffer = !whole.buffer.empty() && whole.value.kind == NetValue::Kind::constant;
+  for (const auto& [index, cell] : cells_) {
+    if (!is_buffer || cell.get() != &whole) continue;
+    changed_ = index;
+    return fail_changed(whole.buffer);
+  }
+  const auto places = places_of(state_, part.tensor->value, whole.value);
+  const bool has_source = arguments.size() > 1 && arguments[1].is_tensor();
+  if (whole.is_shared || !places || !has_source) return fail("changes a part of a tensor");
+  const TorchCall call("copy_", where(), arguments, {}, state_);
+  const auto made =
+      with_part(call, whole.value, *places, part.tensor->value, arguments[1].tensor->value);
+  if (!made) return fail("copies values of another shape");
+  whole.value = *made;
+  whole.is_written = true;
+  ++whole.version;
+  part.tensor->value = call.node("Expand", {arguments[1].tensor->value},
+                                 {{"shape", {}, {}, *part.tensor->value.shape}});
+  part.tensor->version = whole.version;
+  return part;
 }
 
 }  // namespace eagerx::gen

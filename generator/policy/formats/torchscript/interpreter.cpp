@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <numeric>
 #include <utility>
 
 #include "generator/support/diagnostics/search.hpp"
@@ -27,6 +28,12 @@ std::string TorchInterpreter::where() const {
 Refused TorchInterpreter::fail(const std::string& what) {
   return refuse(problem_, "E0754", fmt::format("has code that {} ({})", what, where()),
                 kExportOnnx);
+}
+
+Refused TorchInterpreter::fail_changed(std::string_view buffer) {
+  return refuse(problem_, "E0756",
+                fmt::format("has a buffer `{}` {} ({})", printable(buffer), kUnknownState, where()),
+                kHistoryAsInput);
 }
 
 std::optional<TorchValue> TorchInterpreter::run(const std::vector<NetValue>& inputs) {
@@ -132,15 +139,14 @@ bool TorchInterpreter::assign(const std::vector<TorchExpression>& targets, Torch
   if (module->kind != Held::module || !value.is_tensor()) {
     return fail("changes a member that is not a tensor of a module");
   }
-  const auto old = member(*module, target.text);
+  const auto index = index_of(*module, target.text);
+  const auto old = index ? value_of(0, *index, target.text) : std::nullopt;
   if (!old) return false;
   if (!old->is_tensor()) return fail("changes a member that is not a tensor of a module");
-  if (!old->tensor->buffer.empty() && value.tensor->value.remembered.empty()) {
-    return refuse(problem_, "E0756",
-                  fmt::format("has a buffer `{}` that is changed, and is not the state of a GRU or "
-                              "LSTM ({})",
-                              printable(target.text), where()),
-                  kHistoryAsInput);
+  const bool is_state = old->tensor->buffer.empty() || !value.tensor->value.remembered.empty();
+  if (!is_state && !histories_.contains(*index)) {
+    changed_ = index;
+    return fail_changed(target.text);
   }
   // Holders of the old tensor keep it.
   auto cell = std::make_shared<TorchTensor>();
@@ -148,7 +154,8 @@ bool TorchInterpreter::assign(const std::vector<TorchExpression>& targets, Torch
   cell->buffer = old->tensor->buffer;
   cell->is_written = true;
   cell->is_part = value.tensor->is_part;
-  cells_[*index_of(*module, target.text)] = std::move(cell);
+  cell->is_shared = value.tensor.use_count() > 1;
+  cells_[*index] = std::move(cell);
   return true;
 }
 
@@ -188,20 +195,7 @@ std::optional<TorchValue> TorchInterpreter::value_of(int pickle, std::uint32_t i
       return TorchValue::with(Held::unknown, 0);
   }
   if (all.made_by(stored, "torch._utils._rebuild_tensor_v2")) {
-    const auto known = pickle == 0 ? cells_.find(index) : cells_.end();
-    TorchValue value = TorchValue::with(Held::tensor, 0);
-    if (known != cells_.end()) {
-      value.tensor = known->second;
-      return value;
-    }
-    const NetValue* tensor = archive_.tensor(pickle, index, name, problem_);
-    if (tensor == nullptr) return std::nullopt;
-    value.tensor = std::make_shared<TorchTensor>();
-    value.tensor->value = *tensor;
-    if (pickle != 0) return value;
-    value.tensor->buffer = names_.emplace(index, name).first->second;
-    cells_.emplace(index, value.tensor);
-    return value;
+    return tensor_of(pickle, index, name);
   }
   if (all.at(stored.function).text.starts_with("torch.jit._pickle.")) {
     const std::vector<std::uint32_t>& arguments = all.at(stored.arguments).items;
@@ -211,6 +205,70 @@ std::optional<TorchValue> TorchInterpreter::value_of(int pickle, std::uint32_t i
     return TorchValue::with(Held::module, index);
   }
   return TorchValue::with(Held::unknown, 0);
+}
+
+std::optional<TorchValue> TorchInterpreter::tensor_of(int pickle, std::uint32_t index,
+                                                      const std::string& name) {
+  const auto known = pickle == 0 ? cells_.find(index) : cells_.end();
+  TorchValue value = TorchValue::with(Held::tensor, 0);
+  if (known != cells_.end()) {
+    value.tensor = known->second;
+    return value;
+  }
+  const NetValue* tensor = archive_.tensor(pickle, index, name, problem_);
+  if (tensor == nullptr) return std::nullopt;
+  value.tensor = std::make_shared<TorchTensor>();
+  value.tensor->value = *tensor;
+  if (pickle != 0) return value;
+  value.tensor->buffer = names_.emplace(index, name).first->second;
+  if (histories_.contains(index)) {
+    auto before = values_before(index, *tensor);
+    if (!before) return std::nullopt;
+    value.tensor->value = std::move(*before);
+  }
+  cells_.emplace(index, value.tensor);
+  return value;
+}
+
+/// Two steps: the history, which check_torch_states() completes, and the order of the buffer.
+std::optional<NetValue> TorchInterpreter::values_before(std::uint32_t index,
+                                                        const NetValue& buffer) {
+  const std::string& name = names_.at(index);
+  const std::int64_t count = buffer.shape ? element_count(*buffer.shape).value_or(0) : 0;
+  if (count < 1 || count > kMaxValues || !state_.spend(count)) return fail_changed(name);
+  Reorder order;
+  order.from.resize(static_cast<std::size_t>(count));
+  std::iota(order.from.begin(), order.from.end(), 0U);
+  const auto step = static_cast<std::int32_t>(state_.steps.size());
+  state_.steps.push_back({-1, NetLayer{History{}}, printable(name), count});
+  state_.steps.push_back({step, NetLayer{std::move(order)}, printable(name), count});
+  former_.emplace(index, step);
+  return data_value(step + 1, *buffer.shape);
+}
+
+std::optional<std::uint32_t> TorchInterpreter::changed() const {
+  if (changed_) return changed_;
+  for (const auto& [index, cell] : cells_) {
+    const bool is_state = !cell->is_written || !cell->value.remembered.empty();
+    if (!is_state && !histories_.contains(index)) return index;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::uint32_t> TorchInterpreter::zeros() const {
+  std::vector<std::uint32_t> found;
+  PolicyProblem ignored;
+  for (const auto& [index, cell] : cells_) {
+    const NetValue& value = cell->value;
+    const bool is_buffer = value.kind == NetValue::Kind::constant && value.shape;
+    const auto count = is_buffer ? element_count(*value.shape) : std::nullopt;
+    if (!count || value.shape->size() < 2 || !state_.spend(*count)) continue;
+    const auto numbers = read_floats(value.constant, ignored);
+    if (numbers && ranges::all_of(*numbers, [](float x) { return x == 0.0F; })) {
+      found.push_back(index);
+    }
+  }
+  return found;
 }
 
 std::optional<std::uint32_t> TorchInterpreter::index_of(const TorchValue& module,

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,23 +17,38 @@ namespace eagerx::gen {
 /// Help where the state of a GRU or LSTM is not kept as it should be.
 inline constexpr const char* kStateAsInput =
     "export the actor with its state as an input and an output, to ONNX";
-/// Help where a module keeps something else.
+/// What is wrong with a buffer that changes in another way, and help.
+inline constexpr const char* kUnknownState =
+    "that is changed, and is not the state of a GRU or LSTM, nor a history";
 inline constexpr const char* kHistoryAsInput =
-    "only GRU and LSTM may keep a state; if the buffer has the last N observations, export a "
-    "module whose `forward` takes them as its argument, oldest first, and set `window: N` on the "
-    "observation's connection";
+    "a buffer may keep the state of a GRU or LSTM, or the last N values of something that does not "
+    "depend on it; if this one has the last N observations, export a module whose `forward` takes "
+    "them as its argument, oldest first, and set `window: N` on the observation's connection";
 
 class TorchInterpreter {
  public:
-  /// Executes at most `*budget` statements, and subtracts those executed.
+  /// Executes at most `*budget` statements, and subtracts those executed. Reads the buffers
+  /// `histories` as values that are not known yet.
   TorchInterpreter(TorchArchive& archive, NetCall::State& state, std::int64_t& budget,
-                   PolicyProblem& problem)
-      : archive_(archive), state_(state), budget_(budget), problem_(problem) {}
+                   PolicyProblem& problem, const std::set<std::uint32_t>& histories)
+      : archive_(archive),
+        state_(state),
+        budget_(budget),
+        problem_(problem),
+        histories_(histories) {}
 
   /// The result of the module's `forward` for tensors.
   std::optional<TorchValue> run(const std::vector<NetValue>& inputs);
   /// Statements that were followed.
   [[nodiscard]] std::int64_t followed() const { return followed_; }
+  /// A buffer, not among `histories`, that is changed into something else than a recurrent state.
+  [[nodiscard]] std::optional<std::uint32_t> changed() const;
+  /// Buffers of several axes that were read, and are zeros.
+  [[nodiscard]] std::vector<std::uint32_t> zeros() const;
+  /// Of each of `histories` that was read the step that stands for its values.
+  [[nodiscard]] const std::map<std::uint32_t, std::int32_t>& former_values() const {
+    return former_;
+  }
   /// Tensors of modules that were looked at.
   [[nodiscard]] const std::map<std::uint32_t, std::shared_ptr<TorchTensor>>& cells() const {
     return cells_;
@@ -57,13 +73,17 @@ class TorchInterpreter {
   Value built_in(const std::string& name, std::vector<TorchValue> arguments);
   Value operation(const std::string& name, std::vector<TorchValue> arguments, Named named);
   Value in_place(const std::string& name, std::vector<TorchValue> arguments, Named named);
+  Value copy_into_part(const TorchValue& part, const std::vector<TorchValue>& arguments);
   Value method(const TorchValue& module, const std::string& name, std::vector<TorchValue> arguments,
                Named named);
   std::optional<std::uint32_t> index_of(const TorchValue& module, const std::string& name);
   Value member(const TorchValue& module, const std::string& name);
   Value value_of(int pickle, std::uint32_t index, const std::string& name, int depth = 0);
+  Value tensor_of(int pickle, std::uint32_t index, const std::string& name);
+  std::optional<NetValue> values_before(std::uint32_t index, const NetValue& buffer);
 
   Refused fail(const std::string& what);
+  Refused fail_changed(std::string_view buffer);
   [[nodiscard]] std::string where() const;
 
   TorchArchive& archive_;
@@ -72,6 +92,9 @@ class TorchInterpreter {
   PolicyProblem& problem_;
   std::map<std::uint32_t, std::shared_ptr<TorchTensor>> cells_;
   std::map<std::uint32_t, std::string> names_;  // of buffers
+  const std::set<std::uint32_t>& histories_;
+  std::map<std::uint32_t, std::int32_t> former_;
+  std::optional<std::uint32_t> changed_;
   const std::string* file_ = nullptr;
   int line_ = 0;
   int depth_ = 0;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "generator/policy/formats/torchscript/interpreter.hpp"
+#include "generator/policy/formats/torchscript/states.hpp"
 #include "generator/policy/network/graph/ends.hpp"
 #include "generator/policy/network/graph/lower.hpp"
 #include "generator/support/diagnostics/join.hpp"
@@ -31,6 +32,8 @@ struct TorchTry {
   std::optional<NetAction> action;
   std::vector<std::string> others;  // results that are not the action, for people
   PolicyProblem problem;
+  std::set<std::uint32_t> histories{};                 // buffers that are read as such
+  std::pair<std::size_t, std::int64_t> reached{0, 0};  // steps, statements
 };
 
 /// A part of what `forward` returns, and its place: "0", "1.0".
@@ -74,7 +77,10 @@ class TorchReading {
     }
     TorchTry found;
     follow(sizes, found);
-    if (!check_states(found)) return std::nullopt;
+    if (!check_torch_states(archive_, *found.interpreter, found.state, found.action->step,
+                            problem_)) {
+      return std::nullopt;
+    }
     Network network;
     std::uint32_t observed = 0;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -138,7 +144,47 @@ class TorchReading {
                   "export a module that takes the observation");
   }
 
+  /// Again with each buffer that `forward` changes as a history: what is known of its former
+  /// numbers is only where they are. If none is one, the first problem stays.
   void follow(const std::vector<std::int64_t>& sizes, TorchTry& made) {
+    follow_changes(sizes, made);
+    const PolicyProblem first = made.problem;
+    while (!made.action && add_history(sizes, made)) follow_changes(sizes, made);
+    if (!made.action) made.problem = first;
+  }
+  void follow_changes(const std::vector<std::int64_t>& sizes, TorchTry& made) {
+    std::optional<PolicyProblem> first;
+    for (;;) {
+      made.state = {};
+      made.action.reset();
+      made.others.clear();
+      follow_once(sizes, made);
+      made.reached =
+          std::max(made.reached, {made.state.steps.size(), made.interpreter->followed()});
+      const auto changed = made.interpreter->changed();
+      if (!changed || !made.histories.insert(*changed).second) break;
+      if (!first) first = made.problem;
+    }
+    if (!made.action && first && !first->code.empty()) made.problem = *first;
+  }
+  /// A buffer of zeros with which `forward` comes farther if it is a history: it may be read in a
+  /// way that zeros cannot be, before it is changed.
+  bool add_history(const std::vector<std::int64_t>& sizes, TorchTry& made) {
+    constexpr std::size_t kMostBuffers = 8;
+    std::size_t tried = 0;
+    for (const std::uint32_t index : made.interpreter->zeros()) {
+      if (made.histories.contains(index) || ++tried > kMostBuffers) continue;
+      TorchTry other;
+      other.histories = made.histories;
+      other.histories.insert(index);
+      follow_once(sizes, other);
+      if (!other.action && other.interpreter->followed() <= made.interpreter->followed()) continue;
+      made.histories = other.histories;
+      return true;
+    }
+    return false;
+  }
+  void follow_once(const std::vector<std::int64_t>& sizes, TorchTry& made) {
     made.state.has_gates_of_onnx = false;
     made.state.budget = values_;
     std::vector<NetValue> inputs;
@@ -150,7 +196,7 @@ class TorchReading {
       inputs.push_back(data_value(-1, {1, size}));
       made.state.observed = size;
     }
-    made.interpreter.emplace(archive_, made.state, statements_, made.problem);
+    made.interpreter.emplace(archive_, made.state, statements_, made.problem, made.histories);
     const auto result = made.interpreter->run(inputs);
     values_ = made.state.budget;
     const TorchValue* action = result ? action_among(*result, made) : nullptr;
@@ -276,9 +322,8 @@ class TorchReading {
       TorchTry made;
       follow(sizes, made);
       if (made.action) return true;
-      const std::pair reached(made.state.steps.size(), made.interpreter->followed());
-      if (!any || reached > farthest) {
-        farthest = reached;
+      if (!any || made.reached > farthest) {
+        farthest = made.reached;
         problem_ = made.problem;
       }
       any = true;
@@ -316,50 +361,6 @@ class TorchReading {
     }
     result.insert(result.end(), histories.begin(), histories.end());
     return result;
-  }
-
-  /// Buffers that are written hold what cells remember, each its own, from zeros on.
-  bool check_states(const TorchTry& made) {
-    const auto fail = [&](const std::string& name, const char* what,
-                          const char* help = kStateAsInput) {
-      return refuse(problem_, "E0756", fmt::format("has a buffer `{}` {}", printable(name), what),
-                    help);
-    };
-    PolicyProblem ignored;
-    const std::vector<NetStep>& steps = made.state.steps;
-    std::set<const char*> kept;  // names of buffers, each its own text
-    for (const auto& [index, cell] : made.interpreter->cells()) {
-      if (!cell->is_written) continue;
-      const std::vector<NetRemembered>& parts = cell->value.remembered;
-      if (parts.empty())
-        return fail(std::string(cell->buffer),
-                    "that is changed, and is not the state of a GRU or LSTM", kHistoryAsInput);
-      for (std::size_t slot = 0; slot < parts.size(); ++slot) {
-        const NetStateSource* from = state_before(steps, parts[slot]);
-        const bool is_own = from != nullptr && from->name.data() == cell->buffer.data() &&
-                            from->slot == static_cast<std::int64_t>(slot);
-        if (!is_own) {
-          return fail(std::string(cell->buffer), "that does not come back to the layer it is of");
-        }
-      }
-      const NetValue* start = archive_.tensor(0, index, std::string(cell->buffer), ignored);
-      const auto numbers = start != nullptr ? read_floats(start->constant, ignored) : std::nullopt;
-      if (!numbers || ranges::any_of(*numbers, [](float x) { return x != 0.0F; })) {
-        return fail(std::string(cell->buffer),
-                    "that does not begin with zeros: reset it before the export");
-      }
-      kept.insert(cell->buffer.data());
-    }
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      for (const bool is_cell : {false, true}) {
-        const NetStateSource* from = state_before(steps, {static_cast<std::int32_t>(i), is_cell});
-        if (from != nullptr && !kept.contains(from->name.data())) {
-          return fail(std::string(from->name),
-                      "that a GRU or LSTM starts from and that is not kept");
-        }
-      }
-    }
-    return true;
   }
 
   TorchArchive& archive_;

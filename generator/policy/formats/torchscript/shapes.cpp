@@ -143,6 +143,24 @@ Result index_select(const Torch& call) {
   const auto places = call.tensor(2, "index");
   return axis && places ? chosen(call, *x, *axis, *places) : std::nullopt;
 }
+/// roll(x, shifts, dims): what leaves at one end of an axis comes in at the other.
+Result roll(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto shifts = call.list(1, "shifts");
+  const auto axes = call.list(2, "dims");
+  if (!x || !x->shape || !shifts || !axes || shifts->size() != 1 || axes->size() != 1) {
+    return std::nullopt;
+  }
+  const auto axis = torch_axis(*x, axes->front());
+  const std::int64_t size = axis ? (*x->shape)[static_cast<std::size_t>(*axis)] : 0;
+  if (size < 1 || !call.state().spend(size)) return std::nullopt;
+  Integers from(static_cast<std::size_t>(size));
+  const std::int64_t first = (size - shifts->front() % size) % size;
+  for (std::int64_t i = 0; i < size; ++i) {
+    from[static_cast<std::size_t>(i)] = (first + i) % size;
+  }
+  return chosen(call, *x, *axis, integers_value(std::move(from), {size}));
+}
 /// The axis of x[:, places], with `None` for the others.
 std::optional<std::size_t> indexed_axis(const std::vector<TorchValue>& by) {
   std::optional<std::size_t> axis;
@@ -244,7 +262,8 @@ std::vector<TorchRow> torch_shape_rows() {
           {"select", select, true},
           {"index", index},
           {"index_put", index_put},
-          {"index_select", index_select}};
+          {"index_select", index_select},
+          {"roll", roll}};
 }
 
 std::optional<TorchValue> torch_parts(const Torch& call) {

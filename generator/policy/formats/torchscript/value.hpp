@@ -17,9 +17,15 @@ namespace eagerx::gen {
 /// A tensor. Variables share it, so an in-place change affects all of them.
 struct TorchTensor {
   NetValue value;
-  std::string_view buffer{};  // of a module: its name, which the interpreter holds
-  bool is_written = false;    // a buffer that has been given another value
-  bool is_part = false;       // lies in the memory of another tensor, or another in its
+  std::string_view buffer{};             // of a module: its name, which the interpreter holds
+  bool is_written = false;               // a buffer that has been given another value
+  bool is_part = false;                  // lies in the memory of another tensor
+  bool is_shared = false;                // a member whose tensor something else holds, too
+  std::shared_ptr<TorchTensor> whole{};  // the tensor whose memory it lies in, if that is known
+  std::uint32_t version = 0;             // of `whole` when this was taken from it; else its own
+
+  /// Whether its memory has other values now.
+  [[nodiscard]] bool is_stale() const { return whole && whole->version != version; }
 };
 
 struct TorchValue {
