@@ -66,6 +66,7 @@ class Linearization {
         held_ports_.push_back(held);
     }
     program_->hooks.held = &held_ports_;
+    has_steps = request_.quantizes;
     States begin = with_derivatives<States>(states);
     Matrix reset;
     if (!request_.compares) fill_reset(begin, reset);
@@ -107,6 +108,7 @@ class Linearization {
   static constexpr std::size_t kChannels = std::size(Graph::kChannels);
 
   bool print_step() {
+    has_steps = true;  // what the program does
     const auto step = [this](Program& program) { program.step(action({}, 0)); };
     print_step_response(*program_, request_.step, *request_.open, request_.element, step);
     return true;
