@@ -138,6 +138,7 @@ class Linearization {
       if (words[k] != nullptr) at(*copy, *words[k]).derivative[k] = 1.0;
     }
     copy->hooks.record = &record_;
+    doings = {};  // of runs without a record
     for (std::uint32_t i = 0; i < Program::kPhases; ++i) copy->step(action(seeds, i));
     copy->hooks.record = nullptr;
     losing_.insert(record_.losing.begin(), record_.losing.end());
