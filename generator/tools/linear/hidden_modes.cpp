@@ -15,8 +15,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
-constexpr double kHidden = 1e-9;     // of the largest number of a row
-constexpr double kRounding = 1e-12;  // of what numbers of a map consist of
+constexpr double kHidden = 1e-9;         // of the largest number of a row
+constexpr double kTermRounding = 1e-12;  // of what numbers of a map consist of
 
 MatrixXd orthonormal(const MatrixXd& columns) {
   if (columns.cols() == 0) return columns;
@@ -57,7 +57,7 @@ MatrixXd seen_from_first(const PeriodicProblem& problem, const VectorXd& scale) 
   for (const PeriodicPhase& phase : problem) {
     MatrixXd seen(n + phase.c.rows(), n);
     seen << phase.cost.q, phase.c;
-    const MatrixXd here = seen * of_x, least = kRounding * (seen.cwiseAbs() * terms);
+    const MatrixXd here = seen * of_x, least = kTermRounding * (seen.cwiseAbs() * terms);
     rows.conservativeResize(rows.rows() + here.rows(), Eigen::NoChange);
     rows.bottomRows(here.rows()) = (here.array().abs() > least.array()).select(here, 0.0);
     of_x = (phase.cost.a * of_x).eval();
@@ -78,7 +78,7 @@ Index integrators_among(const std::vector<std::complex<double>>& poles, double s
   for (std::size_t i = 0; i < poles.size(); ++i) {
     const auto k = static_cast<double>(i + 1);
     sum += poles[i] - 1.0;
-    const double scatter = kScatter * std::pow(kRounding * std::max(1.0, size), 1.0 / k);
+    const double scatter = kScatter * std::pow(kTermRounding * std::max(1.0, size), 1.0 / k);
     const bool is_near = std::abs(poles[i] - 1.0) < std::max(kOnCircle, scatter);
     if (is_near && std::abs(sum) / k < (i == 0 ? kOnCircle : kMean))
       count = static_cast<Index>(i + 1);
