@@ -24,6 +24,9 @@ struct Doings {
 };
 inline Doings doings;
 
+/// Whether quantized() has steps; without, it is what it is on average.
+inline bool has_steps = true;
+
 }  // namespace linearize
 
 template <>
@@ -61,7 +64,7 @@ inline void set_lane(Number& x, int /*i*/, double value) {
 }
 inline Number quantized(const Number& x, const Number& step) {
   linearize::doings.smoothed = linearize::doings.smoothed || linearize::has_derivative(x);
-  return quantized<double, linearize::kSeeds>(x, step);
+  return linearize::has_steps ? quantized<double, linearize::kSeeds>(x, step) : x;
 }
 
 }  // namespace eagerx

@@ -66,6 +66,7 @@ class Linearization {
         held_ports_.push_back(held);
     }
     program_->hooks.held = &held_ports_;
+    has_steps = request_.quantizes;
     States begin = with_derivatives<States>(states);
     Matrix reset;
     if (!request_.compares) fill_reset(begin, reset);
@@ -107,6 +108,7 @@ class Linearization {
   static constexpr std::size_t kChannels = std::size(Graph::kChannels);
 
   bool print_step() {
+    has_steps = true;  // what the program does
     const auto step = [this](Program& program) { program.step(action({}, 0)); };
     print_step_response(*program_, request_.step, *request_.open, request_.element, step);
     return true;
@@ -136,6 +138,7 @@ class Linearization {
       if (words[k] != nullptr) at(*copy, *words[k]).derivative[k] = 1.0;
     }
     copy->hooks.record = &record_;
+    doings = {};  // of runs without a record
     for (std::uint32_t i = 0; i < Program::kPhases; ++i) copy->step(action(seeds, i));
     copy->hooks.record = nullptr;
     losing_.insert(record_.losing.begin(), record_.losing.end());

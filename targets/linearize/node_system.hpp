@@ -85,6 +85,7 @@ class NodeSystem {
     ticks.cut = request_.cut;
     auto copy = std::make_unique<Program>(start_);
     copy->hooks.ticks = &ticks;
+    doings = {};
     for (std::uint32_t i = 0; i < Program::kPhases; ++i) step_(*copy);
     copy->hooks.ticks = nullptr;
     cut_elements_ = ticks.cut_elements;
@@ -107,6 +108,7 @@ class NodeSystem {
     };
     ticks.end = [&] { end(*copy); };
     copy->hooks.ticks = &ticks;
+    doings = {};
     for (std::uint32_t s = 0; s < 2 * Program::kPhases && !ticks.is_over(); ++s) step_(*copy);
     copy->hooks.ticks = nullptr;
     losing_.insert(ticks.losing.begin(), ticks.losing.end());

@@ -30,6 +30,7 @@ struct Request {
   std::vector<double> words;          // the state to begin with; empty: that after the steps
   bool compares = true;  // prints A of the next hyperperiod, too; else what the numbers become, and
                          // how they depend on a reset
+  bool quantizes = true;  // else nodes that quantize pass on what they get
   std::vector<std::string> settling;  // nodes whose numbers that depend on nothing else settle
   NodeRequest node;                   // of which only this is printed
   StepRequest step;                   // at `open`; only this is printed
@@ -96,6 +97,8 @@ inline std::optional<Request> read_request(int argc, char** argv) {
       request.node.seen.push_back(channel());
     } else if (name == "--compares") {
       request.compares = number() != 0;
+    } else if (name == "--quantizes") {
+      request.quantizes = number() != 0;
     } else if (name == "--step-size") {
       request.step.size = std::strtod(argv[i + 1], nullptr);
     } else if (name == "--hyperperiods") {

@@ -78,19 +78,21 @@ export function showRun() {
   stopButton.disabled = !run.running;
 }
 
-let following = false;
-/** Asks for more until the program has ended and everything has arrived. */
-export async function followRun() {
-  if (following) return;
-  following = true;
+async function askForMore() {
   for (let more = true; more;) {
     const answer = await editing.client.get(`run?after=${run.next}&row=${run.row}`);
-    if (!answer) break;
+    if (!answer) return false;
     const isNew = takeRun(run, answer);
     showRun();
     more = answer.running || isNew;
   }
-  following = false;
+  return true;
+}
+let following = null;
+/** Asks for more until the program has ended and everything has arrived. False: the server does not answer. */
+export function followRun() {
+  following ??= askForMore().finally(() => (following = null));
+  return following;
 }
 
 /** Called with true when a program begins: its output is shown. */

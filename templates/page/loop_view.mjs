@@ -240,7 +240,7 @@ function factsOf({margins, simulated}) {
   ].filter(Boolean);
 }
 
-function loopCard(loop) {
+export function loopCard(loop) {
   const gain = gainPlot(loop), phase = phasePlot(loop);
   return card(
       `The loop opened at ${loop.margins.port}`, tiles(factsOf(loop)),

@@ -17,9 +17,9 @@ export function numbersOf(fields, low, high, most = 64) {
 
 /**
    A slider and a field for one number. `changed(value)` when somebody moves it. Has `show(value)`. Without bounds there
-   is a slider if it is `tunable`: around the first number that is typed.
+   is a slider if it is `tunable`: around the number of `around(value)`, or the first one that is typed.
  */
-function numberControl(row, changed) {
+export function numberControl(row, changed) {
   const bounded = Number.isFinite(row.high - row.low);
   const step = row.whole ? 1 : "any";
   const limits = {
@@ -31,6 +31,7 @@ function numberControl(row, changed) {
   if (slider && !bounded) slider.style.visibility = "hidden";
   const field = el("input", {type: "number", ...limits, step, ...label});
   const around = (value) => {
+    if (!slider || bounded) return;
     slider.min = Math.max(row.low, Math.min(0, 3 * value));
     slider.max = Math.min(row.high, Math.max(0, 3 * value));
     slider.style.visibility = value === 0 ? "hidden" : "visible";
@@ -39,7 +40,7 @@ function numberControl(row, changed) {
     const value = event.target.valueAsNumber;
     if (Number.isNaN(value)) return;
     const inside = Math.min(row.high, Math.max(row.low, value));
-    if (slider && !bounded && event.target !== slider) around(inside);
+    if (event.target !== slider) around(inside);
     if (slider && event.target !== slider) slider.value = inside;
     if (event.target !== field) field.value = short(inside, 5);
     changed(inside);
@@ -52,6 +53,7 @@ function numberControl(row, changed) {
   });
   return {
     elements: [slider || el("span"), field],
+    around,
     show(value) {
       if (slider) slider.value = value;
       if (document.activeElement !== field) field.value = Number.isNaN(value) ? "" : short(value, 5);

@@ -93,12 +93,28 @@ int print_node(Run& run, const LinearizeOptions& options, const LinearReport& re
   return finish(run, options);
 }
 
+/// What the page of `serve` shows of the loop, and the parameters that its sliders set.
+std::optional<std::string> page_text(Run& run, const Linearized& at, const LoopCurves& curves,
+                                     const LinearReport& report, int& code) {
+  std::vector<std::string> words = at.words;
+  words.insert(words.end(), {"--compares", "0"});
+  const auto there = hyperperiod_of(run, at.image, words, code);
+  if (!there) return std::nullopt;
+  Json json = loop_page_json(curves, report);
+  json["parameters"] = parameters_json(*there);
+  return dump_json(json) + "\n";
+}
+
 /// Draws the loop; false with a problem.
 bool plot(Run& run, const LinearizeOptions& options, const Linearized& at,
           const PortElement& opened, const LinearReport& report, int& code) {
   const auto curves =
       loop_curves_of_program(run, at.image, at.words, opened, options.step, report, code);
-  return curves && write_file(options.plot, loop_svg(*curves, run.graph->name), run.diagnostics);
+  if (!curves) return false;
+  if (!options.plot.ends_with(".json"))
+    return write_file(options.plot, loop_svg(*curves, run.graph->name), run.diagnostics);
+  const auto text = page_text(run, at, *curves, report, code);
+  return text && write_file(options.plot, *text, run.diagnostics);
 }
 
 int print(Run& run, const LinearizeOptions& options, const Linearized& at,
@@ -228,7 +244,8 @@ Command table(LinearizeOptions& options) {
             text("--open", options.open,
                  "open the loop at this port, and print its stability margins", "PORT"),
             writes(text("--plot", options.plot,
-                        "with --open: draw Bode and Nyquist plots, poles and the step response",
+                        "with --open: draw Bode and Nyquist plots, poles and the step response; "
+                        "FILE.json gets their numbers, and the parameters that --at can set",
                         "FILE.svg")),
             checked(
                 {"--step-size",

@@ -60,12 +60,16 @@ std::optional<Json> loop_json(Run& run, const LinearOptions& options, const std:
   if (!add_loop(run, *opened, report)) return std::nullopt;
   const auto curves = loop_curves_of_program(run, image, words, *opened, 0.0, report, code);
   if (!curves) return std::nullopt;
-  Json json = loop_curves_json(*curves);
-  json["margins"] = margins_json(report);
-  return json;
+  return loop_page_json(*curves, report);
 }
 
 }  // namespace
+
+Json loop_page_json(const LoopCurves& curves, const LinearReport& report) {
+  Json json = loop_curves_json(curves);
+  json["margins"] = margins_json(report);
+  return json;
+}
 
 bool add_loop(Run& run, const PortElement& port, LinearReport& report) {
   if (report.system->opened == 0) {

@@ -24,6 +24,8 @@ std::optional<LoopCurves> loop_curves_of_program(Run& run, const std::string& im
                                                  const PortElement& port, double size,
                                                  const LinearReport& report, int& code);
 
+/// Margins and curves of a loop as the page's tab takes them.
+Json loop_page_json(const LoopCurves& curves, const LinearReport& report);
 /// Margins and curves of the loops opened at these ports, for the page; builds the program of
 /// target linearize. Nothing with a problem, which has been reported; `code` is the exit code.
 std::optional<Json> loops_json(const GenerateOptions& options,

@@ -88,7 +88,7 @@ class ServeWorkshop final : public serve::Workshop {
 
   std::optional<std::string> page(const Json& data, std::string& problem) override {
     Diagnostics diagnostics;
-    const PageForm form{{"edit_view.mjs", "main.mjs"}, true, true};
+    const PageForm form{{"edit_view.mjs", "edit_loop.mjs", "main.mjs"}, true, true};
     const std::string folder = (fs::path(data_root()) / "templates" / "page").string();
     auto text = page_of(folder, form, data, diagnostics);
     if (!text && !diagnostics.all().empty()) problem = diagnostics.all().front().message;

@@ -14,9 +14,7 @@ std::vector<std::size_t> drawn_parameters(const Hyperperiod& there) {
   for (std::size_t k = 0; k < there.states.size(); ++k) {
     const ResetElement& each = there.states[k];
     if (!each.drawn_low || !each.drawn_high || *each.drawn_low >= *each.drawn_high) continue;
-    const bool is_delay = each.word == ResetElement::kNone && each.state.ends_with("/delay");
-    if (is_delay || (each.word != ResetElement::kNone && is_constant(there.system, each.word)))
-      drawn.push_back(k);
+    if (is_parameter(there, each)) drawn.push_back(k);
   }
   return drawn;
 }

@@ -8,6 +8,7 @@
 
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/tools/linear/design.hpp"
+#include "generator/tools/linear/hidden_modes.hpp"
 #include "generator/tools/linear/node_plant.hpp"
 #include "generator/tools/linear/periodic.hpp"
 
@@ -146,12 +147,8 @@ class LqrDesigner {
   }
 
   void settle() {
-    for (const VectorXd& mode : settle_hidden(problem_)) {
-      Index state = 0;
-      mode.cwiseAbs().maxCoeff(&state);
-      const std::string& name = plant_.state[static_cast<std::size_t>(state)];
-      if (std::ranges::find(result_.free, name) == result_.free.end()) result_.free.push_back(name);
-    }
+    for (const Index state : settle_hidden(problem_))
+      result_.free.push_back(plant_.state[static_cast<std::size_t>(state)]);
   }
 
   void solve(const PeriodicRegulator& regulator) {

@@ -63,6 +63,11 @@ bool is_constant(const SampledSystem& system, std::size_t word) {
   return std::ranges::all_of(system.b[word], [](double x) { return x == 0.0; });
 }
 
+bool is_parameter(const Hyperperiod& there, const ResetElement& element) {
+  if (element.word == ResetElement::kNone) return element.state.ends_with("/delay");
+  return is_constant(there.system, element.word);
+}
+
 std::optional<Hyperperiod> read_hyperperiod(std::string_view text, const Plan& plan) {
   const auto json = parse_json(text);
   auto system = json ? read_whole_system(*json, plan) : std::nullopt;

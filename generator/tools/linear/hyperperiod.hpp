@@ -40,6 +40,9 @@ struct Hyperperiod {
 /// parameter, or a clock.
 bool is_constant(const SampledSystem& system, std::size_t word);
 
+/// Whether a reset sets it, and nothing else: a parameter of an object or a node, or a delay.
+bool is_parameter(const Hyperperiod& there, const ResetElement& element);
+
 /// What the program of target linearize printed; nothing if it is none of this graph's.
 std::optional<Hyperperiod> read_hyperperiod(std::string_view text, const Plan& plan);
 

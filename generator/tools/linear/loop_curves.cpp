@@ -109,4 +109,26 @@ Json loop_curves_json(const LoopCurves& curves) {
   return json;
 }
 
+Json parameters_json(const Hyperperiod& there) {
+  Json list = Json::list();
+  const auto& states = there.states;
+  for (std::size_t begin = 0, end = 0; begin < states.size(); begin = end) {
+    Json values = Json::list(), low = Json::list(), high = Json::list();
+    bool is_all = true;
+    for (; end < states.size() && states[end].state == states[begin].state; ++end) {
+      const ResetElement& each = states[end];
+      is_all = is_all && is_parameter(there, each);
+      values.push_back(each.value);
+      low.push_back(each.low ? Json(*each.low) : Json(nullptr));
+      high.push_back(each.high ? Json(*each.high) : Json(nullptr));
+    }
+    if (is_all)
+      list.push_back(Json{{"name", states[begin].state},
+                          {"values", std::move(values)},
+                          {"low", std::move(low)},
+                          {"high", std::move(high)}});
+  }
+  return list;
+}
+
 }  // namespace eagerx::gen

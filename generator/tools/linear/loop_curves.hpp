@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/support/json/json.hpp"
+#include "generator/tools/linear/hyperperiod.hpp"
 #include "generator/tools/linear/write.hpp"
 
 namespace eagerx::gen {
@@ -46,5 +47,9 @@ void add_simulated_step(const std::vector<double>& with, const std::vector<doubl
 
 /// For the page: numbers with six digits.
 Json loop_curves_json(const LoopCurves& curves);
+
+/// The parameters that a reset sets, for sliders: `[{name, values, low, high}]` with an element of
+/// each list for each number; null: no bound.
+Json parameters_json(const Hyperperiod& there);
 
 }  // namespace eagerx::gen

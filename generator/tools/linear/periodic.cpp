@@ -1,7 +1,6 @@
 #include "generator/tools/linear/periodic.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -50,34 +49,6 @@ LinearQuadratic lifted(const PeriodicProblem& problem) {
   whole.r = symmetric(whole.r);
   whole.q = symmetric(whole.q);
   return whole;
-}
-
-constexpr double kHidden = 1e-9;  // of the largest number of a row
-
-/// Orthonormal columns that `m` turns into less than kHidden.
-MatrixXd null_space(const MatrixXd& m) {
-  const Eigen::BDCSVD<MatrixXd> svd(m, Eigen::ComputeFullV);
-  const Index rank = (svd.singularValues().array() > kHidden).count();
-  return svd.matrixV().rightCols(m.cols() - rank);
-}
-
-/// From the state before the first phase: what costs and what is received, in all phases. The rows
-/// have a largest number of 1.
-MatrixXd seen_from_first(const PeriodicProblem& problem) {
-  const Index n = problem.front().cost.a.rows();
-  MatrixXd of_x = MatrixXd::Identity(n, n), rows(0, n);
-  for (const PeriodicPhase& phase : problem) {
-    MatrixXd here(n + phase.c.rows(), n);
-    here << phase.cost.q * of_x, phase.c * of_x;
-    rows.conservativeResize(rows.rows() + here.rows(), Eigen::NoChange);
-    rows.bottomRows(here.rows()) = here;
-    of_x = (phase.cost.a * of_x).eval();
-  }
-  for (Index i = 0; i < rows.rows(); ++i) {
-    const double most = rows.row(i).cwiseAbs().maxCoeff();
-    if (most > 0.0) rows.row(i) /= most;
-  }
-  return rows;
 }
 
 /// What the recursions of the cost and of the covariance come to after a hyperperiod.
@@ -194,35 +165,6 @@ std::optional<PeriodicRegulator> solve_periodic(const PeriodicProblem& problem) 
                             cross.transpose() * result.gain[i]);
   }
   return result;
-}
-
-MatrixXd hidden_states(const PeriodicProblem& problem) {
-  const MatrixXd map = map_of(problem);
-  MatrixXd hidden = null_space(seen_from_first(problem));
-  while (hidden.cols() > 0) {  // each round keeps all of them, or fewer
-    const MatrixXd next = map * hidden;
-    const MatrixXd out = next - hidden * (hidden.transpose() * next);
-    const MatrixXd inside = null_space(out / std::max(1.0, map.norm()));
-    if (inside.cols() == hidden.cols()) break;
-    hidden = (hidden * inside).eval();
-  }
-  return hidden;
-}
-
-std::vector<VectorXd> settle_hidden(PeriodicProblem& problem) {
-  const MatrixXd hidden = hidden_states(problem);
-  if (hidden.cols() == 0) return {};
-  const Eigen::EigenSolver<MatrixXd> modes(hidden.transpose() * map_of(problem) * hidden);
-  std::vector<VectorXd> still;
-  for (Index k = 0; k < hidden.cols(); ++k) {
-    const double size = std::abs(modes.eigenvalues()[k]);
-    if (size > 1.0 + kOnCircle) return {};
-    if (size >= 1.0 - kOnCircle) still.emplace_back(hidden * modes.eigenvectors().col(k).real());
-  }
-  if (still.empty()) return {};
-  MatrixXd& a = problem.front().cost.a;
-  a -= (a * hidden * hidden.transpose()).eval();
-  return still;
 }
 
 std::vector<MatrixXd> covariances(const PeriodicProblem& problem,

@@ -29,15 +29,6 @@ struct PeriodicRegulator {
 /// Systems, 2009, 6.2). Nothing if there is none, as of solve_riccati().
 std::optional<PeriodicRegulator> solve_periodic(const PeriodicProblem& problem);
 
-/// The hidden states before the first phase, as orthonormal columns [n][k]: what never costs
-/// anything and never reaches C·x, whatever follows from it. Such as the position of a robot whose
-/// wheels measure its speed.
-Eigen::MatrixXd hidden_states(const PeriodicProblem& problem);
-/// Sets hidden states to 0 once each hyperperiod. That changes neither the cost nor C·x, and lets
-/// the cost have a regulator if they would neither grow nor decay. Leaves those that grow.
-/// Returns the hidden modes that were within 1e-6 of the unit circle, each as a column [n].
-std::vector<Eigen::VectorXd> settle_hidden(PeriodicProblem& problem);
-
 /// The covariance of the state before each phase, with white noise of variance 1 on each input;
 /// `closed`: the maps of the phases, stable.
 std::vector<Eigen::MatrixXd> covariances(const PeriodicProblem& problem,

@@ -191,6 +191,9 @@ std::string trim_text(const TrimReport& report) {
   if (answer.found && answer.freedoms > 0)
     text += fmt::format("\none of many points: {} more can be fixed, of {}\n",
                         counted(answer.freedoms, "number"), join(free, ", "));
+  if (!answer.there.system.smoothing.empty())
+    text += fmt::format("\nthese nodes count without their quantization: {}\n",
+                        join(answer.there.system.smoothing, ", "));
   if (!answer.found) return text;
   text += fmt::format("\nlinearize it:  {}\n", report.command);
   if (!report.program_options.empty())
@@ -238,6 +241,7 @@ Json trim_json(const TrimReport& report) {
               {"residuals", residuals_text(report, answer.residual.size())},
               {"freedoms", answer.freedoms},
               {"free", free_names(report)},
+              {"without_steps", system.smoothing},
               {"linearize", report.command},
               {"set", report.program_options}};
 }

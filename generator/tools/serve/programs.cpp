@@ -28,10 +28,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kCannotStart = 127;  // as a shell says it
-constexpr std::array kKinds = {"check", "run", "report", "simulate", "train"};
+constexpr std::array kKinds = {"check", "run", "report", "simulate", "train", "linearize"};
 constexpr const char* kResult = "result.html";
 constexpr std::size_t kMostPageBytes = 256U << 20U;
 constexpr const char* kCurve = "curve.csv";
+constexpr const char* kLoop = "loop.json";
 
 /// Nothing: they are no words of a command line.
 std::optional<std::vector<std::string>> words_of(const Json* json) {
@@ -129,7 +130,7 @@ Reply Programs::start(const Json& request) {
   const std::string kind = text_of(member(&request, "kind"));
   if (!ranges::contains(kKinds, kind))
     return failure(kBadRequest, fmt::format("there is no program `{}`", kind),
-                   "available: check, run, report, simulate, train");
+                   "available: check, run, report, simulate, train, linearize");
   const auto words = words_of(member(&request, "arguments"));
   if (!words) return failure(kBadRequest, "`arguments` is not a list of words");
   if (running_ || ended_)
@@ -141,9 +142,10 @@ Reply Programs::start(const Json& request) {
   std::vector<std::string> command = {self_.front(), makes_page ? "report" : kind, graph_};
   command.insert(command.end(), self_.begin() + 1, self_.end());
   std::error_code ignored;
-  for (const char* const name : {kResult, kCurve}) fs::remove(place_of(name), ignored);
+  for (const char* const name : {kResult, kCurve, kLoop}) fs::remove(place_of(name), ignored);
   curve_file_.clear();
   if (makes_page) command.insert(command.end(), {"--output", place_of(kResult)});
+  if (kind == "linearize") command.insert(command.end(), {"--plot", place_of(kLoop)});
   if (kind == "simulate") command.emplace_back("--simulate");
   if (kind == "train") {
     const auto own = ranges::find(*words, "--csv");
@@ -265,9 +267,16 @@ Json Programs::running() {
 }
 
 std::optional<std::string> Programs::result() {
+  return written(kResult);
+}
+std::optional<std::string> Programs::loop() {
+  return written(kLoop);
+}
+
+std::optional<std::string> Programs::written(const char* name) {
   const std::lock_guard lock(mutex_);
   if (running_ || folder_.empty()) return std::nullopt;
-  const FileText file = GraphFile(place_of(kResult)).read(kMostPageBytes);
+  const FileText file = GraphFile(place_of(name)).read(kMostPageBytes);
   return file.exists && file.problem.empty() ? std::optional(file.text) : std::nullopt;
 }
 

@@ -39,6 +39,8 @@ class Programs {
   Json running();
   /// The page that the last `report` or `simulate` wrote.
   std::optional<std::string> result();
+  /// JSON of the loop that the last `linearize` opened.
+  std::optional<std::string> loop();
   /// Requests stop waiting, and running programs are ended.
   void end();
 
@@ -52,6 +54,7 @@ class Programs {
   void run(const std::vector<std::string>& command);
   void add(std::string_view line, bool is_error);
   void signal(int number);
+  std::optional<std::string> written(const char* name);
   [[nodiscard]] Json curve(std::uint64_t row) const;
   [[nodiscard]] std::string place_of(const char* name) const;
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLongPollS = 20.0;
 
-constexpr std::array kGets = {"", "state", "changes", "library", "schema", "run", "result"};
+constexpr std::array kGets = {"", "state", "changes", "library", "schema", "run", "result", "loop"};
 constexpr std::array kPosts = {"edit", "undo", "redo", "layout", "run", "stop"};
 
 template <std::size_t N>
@@ -138,6 +138,11 @@ Answer Router::get(const std::string& what, const Asked& asked) {
   if (what == "result") {
     auto page = programs_.result();
     return page ? html(std::move(*page)) : refused(kNotFound, "no page has been made");
+  }
+  if (what == "loop") {
+    auto loop = programs_.loop();
+    return loop ? Answer{200, "application/json", std::move(*loop)}
+                : refused(kNotFound, "no loop has been linearized");
   }
   std::string problem;
   auto page = session_.page(problem);

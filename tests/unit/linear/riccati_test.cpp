@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "generator/tools/linear/design.hpp"
+#include "generator/tools/linear/hidden_modes.hpp"
 #include "generator/tools/linear/periodic.hpp"
 
 namespace eagerx::gen {
@@ -241,7 +243,7 @@ PeriodicProblem moving_mass(double decay) {
 
 TEST(Hidden, APositionThatCostsNothingLeavesTheRegulatorOfTheSpeed) {
   PeriodicProblem problem = moving_mass(1.0);
-  const MatrixXd hidden = hidden_states(problem);
+  const MatrixXd hidden = hidden_modes(problem);
   ASSERT_EQ(hidden.cols(), 1);
   EXPECT_NEAR(std::abs(hidden.col(0).sum()), std::sqrt(2.0), 1e-12);  // along (1, 1)
   ASSERT_EQ(settle_hidden(problem).size(), 1U);
@@ -249,6 +251,54 @@ TEST(Hidden, APositionThatCostsNothingLeavesTheRegulatorOfTheSpeed) {
   ASSERT_TRUE(found);
   for (const MatrixXd& gain : found->gain)
     expect_near(gain, scalar_gain(1.0, 0.01, 4.0, 1.0) * problem.front().c);
+}
+
+/// Chains of integrators behind the speed of a mass: its position, the integral of that, another
+/// one that begins at the position, and of another speed that has its own controller and decays;
+/// mixed, and in units that differ by factors of 1000.
+PeriodicProblem integrators(std::size_t phases) {
+  MatrixXd map = MatrixXd::Identity(6, 6);
+  map(1, 0) = 0.02;   // position of speed
+  map(2, 1) = 0.01;   // its integral
+  map(3, 2) = 0.005;  // and of that
+  map(4, 1) = -0.3;   // another integral of the position
+  map(5, 5) = 0.7;
+  map(5, 0) = 0.1;
+  const MatrixXd mixed =
+      (VectorXd(6) << 1.0, 1e3, 1e-3, 30.0, 1.0, 0.1).finished().asDiagonal() * reflection(6);
+  const MatrixXd back = mixed.inverse();
+  PeriodicPhase phase;
+  phase.cost.a = mixed * map * back;
+  phase.cost.b = mixed.col(0) * 0.05;
+  phase.c = back.row(0);
+  phase.cost.q = 9.0 * phase.c.transpose() * phase.c;
+  phase.cost.r = one(2.0);
+  phase.cost.s = MatrixXd::Zero(6, 1);
+  return PeriodicProblem(phases, phase);
+}
+
+TEST(Hidden, ChainsOfIntegratorsLeaveTheRegulatorOfTheSpeed) {
+  for (const std::size_t phases : {1U, 4U, 50U}) {
+    PeriodicProblem problem = integrators(phases);
+    EXPECT_FALSE(solve_periodic(problem)) << "as it is, their cost does not settle";
+    ASSERT_EQ(hidden_modes(problem).cols(), 4) << phases << " phases; the fifth one decays";
+    const auto free = settle_hidden(problem);
+    EXPECT_EQ(free.size(), 4U);
+    EXPECT_EQ(std::set<Index>(free.begin(), free.end()).size(), free.size());
+    const auto found = solve_periodic(problem);
+    ASSERT_TRUE(found);
+    for (const MatrixXd& gain : found->gain)
+      expect_near(gain, scalar_gain(1.0, 0.05, 9.0, 2.0) * problem.front().c);
+  }
+}
+
+TEST(Hidden, AChainThatGrowsIsNoneOfIntegrators) {
+  PeriodicProblem problem = integrators(1);
+  // Poles 1 and 1.00001: by less than those of a chain scatter, but their mean is not 1.
+  MatrixXd& a = problem.front().cost.a;
+  a += 1e-5 * (a - MatrixXd::Identity(6, 6)) +
+       1e-5 * hidden_modes(problem) * hidden_modes(problem).transpose();
+  EXPECT_TRUE(settle_hidden(problem).empty());
 }
 
 TEST(Hidden, NothingIsSettledThatCostsOrIsReceivedOrGrows) {
