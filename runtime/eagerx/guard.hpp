@@ -78,8 +78,10 @@ class Takeover {
 
   template <class Window>
   static bool are_finite(const Window& window) {
+    // All of them: of a loop that ends early, compilers make one with several entries, which has no
+    // bound.
     bool finite = true;
-    for (std::uint32_t i = 0; i < window.size(); ++i) finite = finite && is_finite(window[i]);
+    for (std::uint32_t i = 0; i < window.size(); ++i) finite &= is_finite(window[i]);
     return finite;
   }
 

@@ -23,6 +23,8 @@ uint64_t qemu_plugin_insn_vaddr(const struct qemu_plugin_insn* instruction);
 void qemu_plugin_register_vcpu_insn_exec_cb(struct qemu_plugin_insn* instruction,
                                             void (*call)(unsigned cpu, void* data), int flags,
                                             void* data);
+void qemu_plugin_register_vcpu_insn_exec_inline(struct qemu_plugin_insn* instruction, int operation,
+                                                void* number, uint64_t added);
 void qemu_plugin_register_atexit_cb(uint64_t id, void (*call)(uint64_t id, void* data), void* data);
 
 EXPORT int qemu_plugin_version = PLUGIN_VERSION;
@@ -33,7 +35,7 @@ enum { kMostEntries = 1 << 20, kMostFrames = 1 << 12, kMostHandlers = 16 };
 struct place {
   uint32_t at, next;  // `next`: behind a call; 0: it is none
   uint64_t most, calls;
-  bool is_entry;
+  bool is_entry, is_behind;
 };
 static struct place* places[kMostEntries];
 static struct { uint32_t first, end; } handlers[kMostHandlers];
@@ -44,7 +46,7 @@ static struct {
   uint32_t back;
 } frames[kMostFrames];
 static uint64_t executed;
-static const struct place* before;
+static uint32_t back;  // behind the last call, until its callee begins; 0: none
 static const char* counts_file;
 
 static struct place* place_of(uint32_t at) {
@@ -59,33 +61,56 @@ static struct place* place_of(uint32_t at) {
   }
 }
 
-static void on_instruction(unsigned cpu, void* data) {
+static bool is_in_handler(uint32_t at) {
+  for (unsigned i = 0; i < handler_count; ++i)
+    if (at >= handlers[i].first && at < handlers[i].end) return true;
+  return false;
+}
+
+// Before a call, behind one, and at an entry: nothing else is of interest but its number.
+static void on_place(unsigned cpu, void* data) {
   (void)cpu;
   struct place* here = data;
-  for (unsigned i = 0; i < handler_count; ++i)
-    if (here->at >= handlers[i].first && here->at < handlers[i].end) return;
   while (frame_count > 0 && frames[frame_count - 1].back == here->at) {
     struct place* function = frames[--frame_count].function;
     const uint64_t count = executed - frames[frame_count].begun;
     if (count > function->most) function->most = count;
     ++function->calls;
   }
-  if (here->is_entry && before != NULL && before->next != 0 && before->next != here->at) {
+  if (here->is_entry && back != 0 && back != here->at) {
     if (frame_count == kMostFrames) abort();
     frames[frame_count].function = here;
     frames[frame_count].begun = executed;
-    frames[frame_count++].back = before->next;
+    frames[frame_count++].back = back;
   }
-  ++executed;
-  before = here;
+  back = here->next;
 }
+
+// Since version 2 the interface has no addition for all processors.
+#if PLUGIN_VERSION >= 2
+static void add_one(unsigned cpu, void* data) {
+  (void)cpu, (void)data;
+  ++executed;
+}
+static void count(struct qemu_plugin_insn* instruction) {
+  qemu_plugin_register_vcpu_insn_exec_cb(instruction, add_one, 0, NULL);
+}
+#else
+static void count(struct qemu_plugin_insn* instruction) {
+  enum { kAdd = 0 };
+  qemu_plugin_register_vcpu_insn_exec_inline(instruction, kAdd, &executed, 1);
+}
+#endif
 
 static void on_block(uint64_t id, struct qemu_plugin_tb* block) {
   (void)id;
   for (size_t i = 0; i < qemu_plugin_tb_n_insns(block); ++i) {
     struct qemu_plugin_insn* instruction = qemu_plugin_tb_get_insn(block, i);
-    void* place = place_of((uint32_t)qemu_plugin_insn_vaddr(instruction));
-    qemu_plugin_register_vcpu_insn_exec_cb(instruction, on_instruction, 0, place);
+    struct place* place = place_of((uint32_t)qemu_plugin_insn_vaddr(instruction));
+    if (is_in_handler(place->at)) continue;
+    if (place->is_entry || place->is_behind || place->next != 0)
+      qemu_plugin_register_vcpu_insn_exec_cb(instruction, on_place, 0, place);
+    count(instruction);
   }
 }
 
@@ -107,7 +132,10 @@ static bool read_plan(const char* path) {
   uint32_t first = 0, second = 0;
   while (fscanf(file, " %c %" SCNx32 " %" SCNx32, &kind, &first, &second) == 3) {
     if (kind == 'e') place_of(first)->is_entry = true;
-    if (kind == 'c') place_of(first)->next = second;
+    if (kind == 'c') {
+      place_of(first)->next = second;
+      place_of(second)->is_behind = true;
+    }
     if (kind == 'h' && handler_count < kMostHandlers) {
       handlers[handler_count].first = first;
       handlers[handler_count++].end = second;

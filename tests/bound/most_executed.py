@@ -1,17 +1,22 @@
 #!/usr/bin/env python3
 """Compares the bounds of `eagerx-gen size IMAGE --worst --json` with what QEMU executes.
 
-most_executed.py BOUNDS.json MACHINE IMAGE OPTION...: runs the image with counter.c and counts, for each function that
-has a bound, the instructions from its first one to its return, those of its callees included. Prints a line for each
-function that ran: its name, the bound, the most executed. Exits with 1 if more were executed than a bound allows, or if no
-function with a bound ran.
+most_executed.py [--faults SEED] BOUNDS.json MACHINE IMAGE OPTION...: runs the image with counter.c and counts, for each
+function that has a bound, the instructions from its first one to its return, those of its callees included. Prints a line
+for each function that ran: its name, the bound, the most executed. Exits with 1 if more were executed than a bound allows,
+or if no function with a bound ran. With `--faults`, numbers of the program become NaN, huge or other ones meanwhile
+(faults.py), and a line says how many.
 """
+import argparse
 import json
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+import time
+
+import faults
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -48,35 +53,57 @@ def built_counter(folder):
     return plugin
 
 
-def most_of_each(machine, image, options, entries):
-    """[entry address] → the most instructions of a call."""
+def run(command, image, seed, folder):
+    """Runs the image to its end, without faults if `seed` is None. The number of faults."""
+    if seed is None:
+        subprocess.run(command, check=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        return 0
+    line = folder / "gdb"
+    command = command + ["-S", "-chardev", f"socket,path={line},server=on,wait=off,id=gdb", "-gdb", "chardev:gdb"]
+    with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as qemu:
+        while not line.exists() and qemu.poll() is None:
+            time.sleep(0.01)
+        try:
+            return faults.inject(line, image, seed)
+        except BaseException:
+            qemu.kill()
+            raise
+
+
+def most_of_each(machine, image, options, functions, seed):
+    """[entry address] → the most instructions of a call; the number of faults."""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        plan = [f"e {at:x} 0" for at in entries]
+        plan = [f"e {at:x} 0" for at in functions]
         plan += [f"c {call:x} {behind:x}" for call, behind in calls_of(image)]
         plan += [f"h {first:x} {end:x}" for first, end in handlers_of(image)]
         (folder / "plan").write_text("\n".join(plan) + "\n")
-        subprocess.run(["qemu-system-arm", "-M", machine, "-display", "none", "-monitor", "none", "-serial", "null",
-                        "-semihosting-config", "enable=on,target=native", "-icount", "shift=5", "-plugin",
-                        f"{built_counter(folder)},plan={folder}/plan,counts={folder}/counts",
-                        "-kernel", image, "-append", " ".join(options)],
-                       check=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                       stderr=subprocess.DEVNULL)
+        count = run(["qemu-system-arm", "-M", machine, "-display", "none", "-monitor", "none", "-serial", "null",
+                     "-semihosting-config", "enable=on,target=native", "-icount", "shift=5", "-plugin",
+                     f"{built_counter(folder)},plan={folder}/plan,counts={folder}/counts",
+                     "-kernel", image, "-append", " ".join(options)], image, seed, folder)
         lines = (folder / "counts").read_text().splitlines()
-    return {int(at, 16): int(most) for at, most, _ in (line.split() for line in lines)}
+    return {int(at, 16): int(most) for at, most, _ in (line.split() for line in lines)}, count
 
 
 def main():
-    bounds, machine, image, *options = sys.argv[1:]
-    with open(bounds, encoding="utf-8") as file:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--faults", type=int)
+    for name in ("bounds", "machine", "image"):
+        parser.add_argument(name)
+    parser.add_argument("options", nargs=argparse.REMAINDER)
+    given = parser.parse_args()
+    with open(given.bounds, encoding="utf-8") as file:
         functions = {f["address"]: f for f in json.load(file)["worst"]["functions"]}
-    most = most_of_each(machine, image, options, functions)
+    most, fault_count = most_of_each(given.machine, given.image, given.options, functions, given.faults)
     failed = not most
     for entry, count in sorted(most.items(), key=lambda item: -item[1]):
         bound = functions[entry]["most"]
         failed |= count > bound
         print(f"{functions[entry]['name']:44} {bound:>9} {count:>9} {bound / count:6.2f}"
               f"{'  MORE THAN ITS BOUND' if count > bound else ''}")
+    if given.faults is not None:
+        print(f"faults: {fault_count}")
     if not most:
         print("no function with a bound ran", file=sys.stderr)
     return 1 if failed else 0

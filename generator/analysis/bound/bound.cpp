@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "generator/analysis/bound/blame.hpp"
 #include "generator/analysis/bound/cycles.hpp"
 #include "generator/analysis/bound/regions.hpp"
 #include "generator/analysis/bound/slot_code.hpp"
@@ -159,8 +160,13 @@ class Report {
     return result;
   }
 
+  std::vector<Region> find(const bound::IsNamed& is_named) {
+    std::vector<Region> regions = regions_.find(is_named);
+    for (const Region& region : regions) roots_.insert(region.function);
+    return regions;
+  }
   std::vector<Region> named(const std::string& name) {
-    return regions_.find([&](std::uint32_t function) { return names_[function] == name; });
+    return find([&](std::uint32_t function) { return names_[function] == name; });
   }
 
   InstructionBound row(const std::string& name, const Both& most) {
@@ -214,27 +220,33 @@ class Report {
       if (std::ranges::find(kHalves, names_[i]) != kHalves.end())
         functions[due_in(places_.functions()[i])].insert(i);
     }
-    std::vector<Region> all;
     std::vector<bound::SlotCode> code;
     for (const auto& [due, of_slot] : functions) {
+      for (const std::string_view half : kHalves)
+        code.push_back(
+            {due, half == kHalves.back(), find([&, &of_slot = of_slot](std::uint32_t function) {
+               return names_[function] == half && of_slot.contains(function);
+             })});
+    }
+    const std::set<bound::Address> of_all = bound::share(analysis_, code);
+    std::vector<Region> all;
+    for (std::size_t i = 0; i < code.size(); i += kHalves.size()) {
       Both sum;
       std::vector<SlotBound::Half> halves;
-      for (const std::string_view half : kHalves) {
-        const auto regions = regions_.find([&, &of_slot = of_slot](std::uint32_t function) {
-          return names_[function] == half && of_slot.contains(function);
-        });
+      for (std::size_t half = i; half < i + kHalves.size(); ++half) {
+        const auto& regions = code[half].regions;
         const Both most = both([&](bound::Regions& in) { return in.most(regions); });
         sum.add(most);
         halves.push_back({most.instructions.most, most.cycles.most});
-        code.push_back({due, half == kHalves.back(), regions});
         all.insert(all.end(), regions.begin(), regions.end());
       }
+      const auto due = code[i].due;
       report_.slots.push_back({row(slot_name(due), sum), due, halves.front(), halves.back()});
     }
-    report_.slots_share_code = functions.size() > 1 && bound::is_shared(analysis_, code);
     if (!step_.empty() && !all.empty())
-      report_.parts.push_back(
-          row("schedule", both([&](bound::Regions& in) { return in.most_without(step_, all); })));
+      report_.parts.push_back(row("schedule", both([&](bound::Regions& in) {
+                                    return in.most_without(step_, all, of_all);
+                                  })));
   }
 
   void add_nodes(const ProgramMap& map) {
@@ -249,21 +261,30 @@ class Report {
     }
   }
 
-  /// Copies of one loop, which the compiler made, are one.
+  NoBound no_bound(const Obstacle& obstacle) {
+    const Words words = words_of(obstacle.reason);
+    NoBound missing{words.what, "", function_name(image_.function_of(obstacle.at)), words.help, {}};
+    const auto blamed = bound::blamed_for(obstacle, roots_, analysis_, places_);
+    if (!blamed) return missing;
+    const std::string file =
+        std::filesystem::path(places_.files()[blamed->place.file]).lexically_normal().string();
+    missing.place = fmt::format("{}:{}", file, blamed->place.line);
+    missing.function = names_[blamed->place.function];
+    if (blamed->of_library) {
+      const bool is_std = places_.functions()[*blamed->of_library].starts_with("_ZSt");
+      missing.what =
+          fmt::format("the call of `{}{}`", is_std ? "std::" : "", names_[*blamed->of_library]);
+      missing.help =
+          "its loops are those of a library, without a limit that is known: write what you need of "
+          "it as loops with limits; to sort a few elements, two counted loops do";
+    }
+    return missing;
+  }
+
+  /// Copies of one loop, which the compiler made, and all loops of one library function are one.
   void add_missing() {
     for (const auto& [obstacle, of] : obstacles_) {
-      const Words words = words_of(obstacle.reason);
-      NoBound missing{
-          words.what, "", function_name(image_.function_of(obstacle.at)), words.help, {}};
-      const bound::Instruction* instruction = image_.instruction(obstacle.at);
-      if (instruction != nullptr && !places_.of(*instruction).empty() &&
-          places_.of(*instruction).front().line > 0) {
-        const bound::Frame frame = places_.of(*instruction).front();
-        const std::string file =
-            std::filesystem::path(places_.files()[frame.file]).lexically_normal().string();
-        missing.place = fmt::format("{}:{}", file, frame.line);
-        missing.function = names_[frame.function];
-      }
+      const NoBound missing = no_bound(obstacle);
       const auto same = std::ranges::find_if(report_.missing, [&](const NoBound& other) {
         return other.what == missing.what && other.place == missing.place &&
                other.function == missing.function;
@@ -293,6 +314,7 @@ class Report {
       if (found == image_.addresses().end()) continue;
       bound::LongestPath path(bound::Weight::all(*cycles_));
       const bound::Analysed& handler = analysis_.of(found->second);
+      roots_.insert(found->second);
       const std::uint64_t most = path.of(handler);
       for (const Obstacle& obstacle : path.obstacles())
         obstacles_[obstacle].insert(interrupt.handler);
@@ -320,6 +342,7 @@ class Report {
   std::optional<bound::Regions> timed_;  // by cycles
   std::vector<std::string> names_;       // of places_.functions(), as users write them
   std::vector<Region> step_;
+  std::set<bound::Address> roots_;  // functions with what is bounded
   std::map<Obstacle, std::set<std::string>> obstacles_;
   BoundReport report_;
 };

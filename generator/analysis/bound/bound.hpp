@@ -67,7 +67,6 @@ struct FunctionBound {
 struct BoundReport {
   std::vector<InstructionBound> parts;   // step, reset, guard, policy: those that the image has
   std::vector<SlotBound> slots;          // each kind of slot, by the rates that are due
-  bool slots_share_code = false;         // compilers may join what several kinds run
   std::vector<InstructionBound> nodes;   // in a step
   std::vector<FunctionBound> functions;  // that have a bound; for comparisons with what is executed
   std::vector<NoBound> missing;

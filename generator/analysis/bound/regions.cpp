@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace eagerx::gen::bound {
 namespace {
@@ -12,8 +14,24 @@ Address function_at(const Image& image, Address at) {
   return after == image.functions().begin() ? at : std::prev(after)->first;
 }
 
-/// Loops that a region is within one turn of: they have all of it, or are mostly other code (some
-/// of the region's was moved out of them).
+/// Whether a test in every turn, whether to go on, is other code: a loop of the region tests for
+/// itself.
+bool is_led_by_others(const Flow& flow, LoopIndex l, const std::set<Address>& code) {
+  const Loop& loop = flow.loops[l];
+  for (BlockIndex b = 0; b < flow.blocks.size(); ++b) {
+    const Block& block = flow.blocks[b];
+    if (block.loop != l || block.code.empty() || code.contains(block.code.back()->at)) continue;
+    const bool may_leave =
+        std::ranges::any_of(block.next, [&](BlockIndex next) { return !loop.has[next]; });
+    const bool is_in_every_turn = std::ranges::all_of(
+        loop.latches, [&](BlockIndex latch) { return flow.dominates(b, latch); });
+    if (may_leave && is_in_every_turn) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::set<LoopIndex> loops_around(const Flow& flow, const std::set<Address>& code) {
   std::set<LoopIndex> around;
   for (LoopIndex l = 0; l < flow.loops.size(); ++l) {
@@ -30,26 +48,27 @@ std::set<LoopIndex> loops_around(const Flow& flow, const std::set<Address>& code
       own += here;
       all += flow.blocks[b].code.size();
     }
-    if (has_all || 2 * own < all) around.insert(l);
+    if (has_all || 2 * own < all || is_led_by_others(flow, l, code)) around.insert(l);
   }
   return around;
 }
 
-}  // namespace
-
 std::vector<Region> Regions::find(const IsNamed& is_named) const {
   std::vector<bool> named;
   for (std::uint32_t i = 0; i < places_.functions().size(); ++i) named.push_back(is_named(i));
-  // By the function and, where it is inlined, the file and the line of its caller.
-  std::map<std::tuple<Address, bool, std::uint32_t, std::uint32_t>, Region> found;
+  // By the function and, where it is inlined, the files and lines of all its callers.
+  using Lines = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  std::map<std::tuple<Address, bool, Lines>, Region> found;
   for (const Instruction& instruction : analysis_.image().instructions()) {
     const auto& frames = places_.of(instruction);
     for (std::size_t i = frames.size(); i-- > 0;) {
       if (!named[frames[i].function]) continue;
       const bool is_whole = i + 1 == frames.size();
       const Address function = function_at(analysis_.image(), instruction.at);
-      const Frame from = is_whole ? Frame{} : frames[i + 1];
-      Region& region = found[{function, is_whole, from.file, from.line}];
+      Lines callers;
+      for (std::size_t k = i + 1; k < frames.size(); ++k)
+        callers.emplace_back(frames[k].file, frames[k].line);
+      Region& region = found[{function, is_whole, std::move(callers)}];
       region.function = function;
       if (!is_whole) region.code.insert(instruction.at);
       break;
@@ -112,12 +131,14 @@ Regions::Most Regions::most_without_calls(const std::vector<Region>& regions,
 }
 
 Regions::Most Regions::most_without(const std::vector<Region>& regions,
-                                    const std::vector<Region>& others) {
+                                    const std::vector<Region>& others,
+                                    const std::set<Address>& kept) {
   std::set<Address> left_out, functions;
   for (const Region& other : others) {
     left_out.insert(other.code.begin(), other.code.end());
     if (other.code.empty()) functions.insert(other.function);
   }
+  for (const Address at : kept) left_out.erase(at);
   Most result;
   for (const Region& region : regions) {
     Weight weight;

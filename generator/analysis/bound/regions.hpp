@@ -18,6 +18,10 @@ struct Region {
   std::set<Address> code;  // empty: all of that function
 };
 
+/// Loops that a region is within one turn of: they have all of it, are mostly other code (some of
+/// the region's was moved out of them), or other code decides whether they go on.
+std::set<LoopIndex> loops_around(const Flow& flow, const std::set<Address>& code);
+
 /// Whether a function of Places::functions() is that of the part that is looked for.
 using IsNamed = std::function<bool(std::uint32_t function)>;
 
@@ -37,8 +41,9 @@ class Regions {
             const std::function<bool(const Instruction&)>& counts = {});
   /// The same, all counted, without calls of these functions.
   Most most_without_calls(const std::vector<Region>& regions, const std::set<Address>& functions);
-  /// The same without what is in `others`.
-  Most most_without(const std::vector<Region>& regions, const std::vector<Region>& others);
+  /// The same without what is in `others`, but with what is in `kept`.
+  Most most_without(const std::vector<Region>& regions, const std::vector<Region>& others,
+                    const std::set<Address>& kept);
 
  private:
   Most longest(const Region& region, Weight weight);

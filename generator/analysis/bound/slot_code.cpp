@@ -1,6 +1,7 @@
 #include "generator/analysis/bound/slot_code.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -16,7 +17,6 @@ class Owners {
   explicit Owners(const std::vector<SlotCode>& slots) {
     for (const SlotCode& slot : slots) {
       for (const Region& region : slot.regions) {
-        if (region.code.empty()) functions_[region.function] = slot.due;
         for (const Address at : region.code) code_[at] = slot.due;
         if (!region.code.empty()) mixed_.insert(region.function);
       }
@@ -29,59 +29,90 @@ class Owners {
     const auto found = code_.find(instruction.at);
     return found == code_.end() ? nullptr : &found->second;
   }
-  /// Of the function that it calls or jumps to.
-  [[nodiscard]] const Due* of_callee(const Instruction& instruction) const {
-    const auto found = functions_.find(instruction.target);
-    return instruction.target == 0 || found == functions_.end() ? nullptr : &found->second;
-  }
 
  private:
   std::unordered_map<Address, Due> code_;
-  std::map<Address, Due> functions_;
   std::set<Address> mixed_;
 };
-
-bool differ(const Due* a, const Due* b) {
-  return a != nullptr && b != nullptr && *a != *b;
-}
 
 class SharedCode {
  public:
   SharedCode(const Flow& flow, const Owners& owners) : flow_(flow), owners_(owners) {}
 
-  [[nodiscard]] bool any() const {
+  /// Adds what other kinds have of the blocks that a kind's code lies in, and of those where it
+  /// continues at once.
+  void extend(Region& region, const Due& kind) const {
+    std::vector<bool> seen(flow_.blocks.size());
+    std::vector<BlockIndex> open;
     for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
-      if (is_mixed(flow_.blocks[b]) || is_joined(b) || is_moved_up(b)) return true;
+      seen[b] = has_any(flow_.blocks[b], region.code);
+      if (seen[b]) open.push_back(b);
+    }
+    while (!open.empty()) {
+      const Block& block = flow_.blocks[open.back()];
+      open.pop_back();
+      for (const Instruction* instruction : block.code) {
+        const Due* owner = owners_.of(*instruction);
+        if (owner != nullptr && *owner != kind) region.code.insert(instruction->at);
+      }
+      if (!region.code.contains(block.code.back()->at)) continue;
+      for (const BlockIndex next : block.next) {
+        const auto& after = flow_.blocks[next].code;
+        const Due* owner = after.empty() ? nullptr : owners_.of(*after.front());
+        if (seen[next] || owner == nullptr || *owner == kind) continue;
+        seen[next] = true;
+        open.push_back(next);
+      }
+    }
+  }
+
+  /// What lies before the choice among kinds.
+  void add_moved_up(std::set<Address>& to) const {
+    for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
+      if (!is_moved_up(b)) continue;
+      for (const Instruction* instruction : flow_.blocks[b].code) to.insert(instruction->at);
+    }
+  }
+
+  /// What compilers moved out of the loops in which the rest of a region is: no calls and no
+  /// branches, which are in a copy of the region, run when its kind is due.
+  void add_moved_out(const Region& region, const std::set<LoopIndex>& loops,
+                     std::set<Address>& to) const {
+    for (const LoopIndex l : loops) {
+      if (!has_any_of(l, region.code)) continue;
+      for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
+        if (flow_.loops[l].has[b] || turns_in(b, region.code)) continue;
+        for (const Instruction* instruction : flow_.blocks[b].code) {
+          if (region.code.contains(instruction->at)) to.insert(instruction->at);
+        }
+      }
+    }
+  }
+
+ private:
+  /// Whether these instructions call or branch in a block.
+  [[nodiscard]] bool turns_in(BlockIndex b, const std::set<Address>& code) const {
+    return std::ranges::any_of(flow_.blocks[b].code, [&](const Instruction* instruction) {
+      return instruction->turn != Turn::none && code.contains(instruction->at);
+    });
+  }
+
+  [[nodiscard]] static bool has_any(const Block& block, const std::set<Address>& code) {
+    return std::ranges::any_of(
+        block.code, [&](const Instruction* instruction) { return code.contains(instruction->at); });
+  }
+  [[nodiscard]] bool has_any_of(LoopIndex loop, const std::set<Address>& code) const {
+    for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
+      if (flow_.loops[loop].has[b] && has_any(flow_.blocks[b], code)) return true;
     }
     return false;
   }
 
- private:
   [[nodiscard]] const Due* first(BlockIndex b) const {
     for (const Instruction* instruction : flow_.blocks[b].code) {
       if (const Due* kind = owners_.of(*instruction)) return kind;
     }
     return nullptr;
-  }
-
-  [[nodiscard]] bool is_mixed(const Block& block) const {
-    const Due* before = nullptr;
-    for (const Instruction* instruction : block.code) {
-      const Due* here = owners_.of(*instruction);
-      if (differ(before, here) || differ(here, owners_.of_callee(*instruction))) return true;
-      if (here != nullptr) before = here;
-    }
-    return false;
-  }
-
-  /// Whether it continues at once in another kind's code.
-  [[nodiscard]] bool is_joined(BlockIndex b) const {
-    const auto& code = flow_.blocks[b].code;
-    if (code.empty()) return false;
-    return std::ranges::any_of(flow_.blocks[b].next, [&](BlockIndex next) {
-      const auto& after = flow_.blocks[next].code;
-      return !after.empty() && differ(owners_.of(*code.back()), owners_.of(*after.front()));
-    });
   }
 
   /// Whether it is of one kind, and the choice among several follows.
@@ -113,25 +144,37 @@ class SharedCode {
 };
 
 /// A half that only some kinds have as a function of its own may be the same function for others.
-bool may_share_function(const std::vector<SlotCode>& slots, bool is_after) {
-  bool has_function = false, has_none = false;
+void share_functions(std::vector<SlotCode>& slots, bool is_after) {
+  std::vector<Region> functions;
   for (const SlotCode& slot : slots) {
     if (slot.is_after != is_after) continue;
-    has_none |= slot.regions.empty();
-    has_function |=
-        std::ranges::any_of(slot.regions, [](const Region& region) { return region.code.empty(); });
+    std::ranges::copy_if(slot.regions, std::back_inserter(functions),
+                         [](const Region& region) { return region.code.empty(); });
   }
-  return has_function && has_none;
+  for (SlotCode& slot : slots) {
+    if (slot.is_after == is_after && slot.regions.empty()) slot.regions = functions;
+  }
 }
 
 }  // namespace
 
-bool is_shared(Analysis& analysis, const std::vector<SlotCode>& slots) {
-  if (may_share_function(slots, false) || may_share_function(slots, true)) return true;
+std::set<Address> share(Analysis& analysis, std::vector<SlotCode>& slots) {
+  share_functions(slots, false);
+  share_functions(slots, true);
   const Owners owners(slots);
-  return std::ranges::any_of(owners.mixed(), [&](Address function) {
-    return SharedCode(*analysis.of(function).flow, owners).any();
-  });
+  std::set<Address> of_all;
+  for (const Address function : owners.mixed())
+    SharedCode(*analysis.of(function).flow, owners).add_moved_up(of_all);
+  for (SlotCode& slot : slots) {
+    for (Region& region : slot.regions) {
+      if (region.code.empty()) continue;
+      const Flow& flow = *analysis.of(region.function).flow;
+      const SharedCode shared(flow, owners);
+      shared.add_moved_out(region, loops_around(flow, region.code), of_all);
+      shared.extend(region, slot.due);
+    }
+  }
+  return of_all;
 }
 
 }  // namespace eagerx::gen::bound

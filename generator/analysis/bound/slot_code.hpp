@@ -1,8 +1,9 @@
-// Whether the code of each kind of slot can be distinguished from that of the others.
+// The code of each kind of slot, with what it shares with others.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "generator/analysis/bound/regions.hpp"
@@ -16,9 +17,10 @@ struct SlotCode {
   std::vector<Region> regions;
 };
 
-/// Whether the compiler gave several kinds of slots the same code: it joined the same ends of two,
-/// moved what they begin with to before their `switch`, or made one function of two. Its lines then
-/// name one of the kinds, whose bound has what the others run too.
-bool is_shared(Analysis& analysis, const std::vector<SlotCode>& slots);
+/// Compilers give several kinds of slots the same code: they join the same ends of two, move what
+/// they begin with to before their `switch`, or make one function of two. The lines of such code
+/// name one of the kinds. This adds it to all that may run it, so that each has a bound. Returns
+/// the code that also runs where no slot of its kind is due, and so belongs to the schedule, too.
+std::set<Address> share(Analysis& analysis, std::vector<SlotCode>& slots);
 
 }  // namespace eagerx::gen::bound

@@ -29,7 +29,7 @@ void add(InstructionBound& to, const SlotBound::Half& half) {
 std::optional<StepBounds> step_bounds(const BoundReport& report, const Plan& plan) {
   const InstructionBound *schedule = report.part("schedule"), *whole = report.part("step");
   if (schedule == nullptr || whole == nullptr || !schedule->is_bound) return std::nullopt;
-  if (plan.schedule.form != ScheduleForm::kinds || report.slots_share_code) return std::nullopt;
+  if (plan.schedule.form != ScheduleForm::kinds) return std::nullopt;
   const auto slots = slots_of(report, plan.schedule);
   if (slots.empty()) return std::nullopt;
   const std::uint64_t environment = std::uint64_t{1} << plan.nodes[Graph::kEnvironment].rate;

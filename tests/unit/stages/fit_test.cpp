@@ -123,9 +123,6 @@ TEST(Steps, NeedTheBoundsOfAllKindsOfSlots) {
   BoundReport unbound = of_five_steps();
   unbound.slots[1].is_bound = false;
   EXPECT_FALSE(step_bounds(unbound, *graph->plan));
-  BoundReport shared = of_five_steps();
-  shared.slots_share_code = true;
-  EXPECT_FALSE(step_bounds(shared, *graph->plan));
   // Where each step is a hyperperiod, the bound of a step has just its slots.
   EXPECT_FALSE(step_bounds(of_five_steps(), *cascade()->plan));
 }

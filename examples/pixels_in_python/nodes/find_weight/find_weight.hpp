@@ -16,7 +16,7 @@ class FindWeight {
   void callback(const eagerx::Tick& /*tick*/, const typename Io::Inputs& in,
                 typename Io::Outputs& out) {
     const auto& image = in.image.back();
-    std::int64_t total = 0, right = 0, down = 0;
+    std::int32_t total = 0, right = 0, down = 0;  // at most 215 * 63 * 64 * 64
     for (std::size_t row = 0; row < kSize; ++row) {
       for (std::size_t column = 0; column < kSize; ++column) {
         const std::size_t at = (row * kSize + column) * 3;
@@ -24,8 +24,8 @@ class FindWeight {
                            static_cast<int>(eagerx::element(image, at + 2)) - 40;
         if (weight <= 0) continue;
         total += weight;
-        right += weight * static_cast<std::int64_t>(column);
-        down += weight * static_cast<std::int64_t>(row);
+        right += weight * static_cast<std::int32_t>(column);
+        down += weight * static_cast<std::int32_t>(row);
       }
     }
     eagerx::element(out.position, 0) = total > 0 ? from_middle(right, total) : 0.0F;
@@ -35,7 +35,7 @@ class FindWeight {
  private:
   static constexpr std::size_t kSize = 64;
 
-  static float from_middle(std::int64_t sum, std::int64_t total) {
+  static float from_middle(std::int32_t sum, std::int32_t total) {
     constexpr float kMiddle = (kSize - 1) / 2.0F, kHalf = kSize / 2.0F;
     return (static_cast<float>(sum) / static_cast<float>(total) - kMiddle) / kHalf;
   }
