@@ -30,7 +30,7 @@ struct Request {
   std::vector<double> words;          // the state to begin with; empty: that after the steps
   bool compares = true;  // prints A of the next hyperperiod, too; else what the numbers become, and
                          // how they depend on a reset
-  bool quantizes = true;  // else nodes that quantize pass on what they get
+  bool quantizes = true;              // else nodes that quantize pass on what they get
   std::vector<std::string> settling;  // nodes whose numbers that depend on nothing else settle
   NodeRequest node;                   // of which only this is printed
   StepRequest step;                   // at `open`; only this is printed

@@ -14,7 +14,7 @@ Address function_at(const Image& image, Address at) {
   return after == image.functions().begin() ? at : std::prev(after)->first;
 }
 
-/// Whether a test in every turn, whether to go on, is other code: a loop of the region tests for
+/// Whether a test in every turn, whether to continue, is other code: a loop of the region tests for
 /// itself.
 bool is_led_by_others(const Flow& flow, LoopIndex l, const std::set<Address>& code) {
   const Loop& loop = flow.loops[l];

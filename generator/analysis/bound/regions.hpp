@@ -19,7 +19,7 @@ struct Region {
 };
 
 /// Loops that a region is within one turn of: they have all of it, are mostly other code (some of
-/// the region's was moved out of them), or other code decides whether they go on.
+/// the region's was moved out of them), or other code decides whether they continue.
 std::set<LoopIndex> loops_around(const Flow& flow, const std::set<Address>& code);
 
 /// Whether a function of Places::functions() is that of the part that is looked for.

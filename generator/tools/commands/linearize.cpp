@@ -163,7 +163,7 @@ std::optional<WorstMargins> worst_of_corners(Run& run, const std::string& image,
       run.diagnostics
           .error("E0520", run.graph->span,
                  fmt::format("a reset samples {} parameters, and `--corners` takes at most 8",
-                             drawn_parameters(*there).size()))
+                             sampled_parameters(*there).size()))
           .help = "give some a value in a variant, or use a campaign";
     return std::nullopt;
   }

@@ -98,7 +98,7 @@ class TrimAsker {
       if (each.word == ResetElement::kNone) continue;
       TrimNumber& number = question_.words[each.word];
       number.value = each.value;
-      if (each.low == each.high) continue;  // not drawn, but no number that it has to keep
+      if (each.low == each.high) continue;  // not sampled, but no number that it has to keep
       if (each.low) number.low = *each.low;
       if (each.high) number.high = *each.high;
     }

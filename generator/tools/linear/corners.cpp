@@ -9,29 +9,29 @@
 
 namespace eagerx::gen {
 
-std::vector<std::size_t> drawn_parameters(const Hyperperiod& there) {
-  std::vector<std::size_t> drawn;
+std::vector<std::size_t> sampled_parameters(const Hyperperiod& there) {
+  std::vector<std::size_t> sampled;
   for (std::size_t k = 0; k < there.states.size(); ++k) {
     const ResetElement& each = there.states[k];
-    if (!each.drawn_low || !each.drawn_high || *each.drawn_low >= *each.drawn_high) continue;
-    if (is_parameter(there, each)) drawn.push_back(k);
+    if (!each.sample_low || !each.sample_high || *each.sample_low >= *each.sample_high) continue;
+    if (is_parameter(there, each)) sampled.push_back(k);
   }
-  return drawn;
+  return sampled;
 }
 
 std::optional<std::vector<Corner>> corners_of(const Hyperperiod& there) {
   constexpr std::size_t kMost = 8;
-  const std::vector<std::size_t> drawn = drawn_parameters(there);
-  if (drawn.size() > kMost) return std::nullopt;
+  const std::vector<std::size_t> sampled = sampled_parameters(there);
+  if (sampled.size() > kMost) return std::nullopt;
   std::vector<Corner> corners;
-  for (std::size_t bits = 0; bits < std::size_t{1} << drawn.size(); ++bits) {
+  for (std::size_t bits = 0; bits < std::size_t{1} << sampled.size(); ++bits) {
     std::vector<double> values;
     for (const ResetElement& each : there.states) values.push_back(each.value);
     std::vector<bool> is_set(values.size());
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-      const ResetElement& each = there.states[drawn[i]];
-      values[drawn[i]] = ((bits >> i) & 1U) != 0 ? *each.drawn_high : *each.drawn_low;
-      is_set[drawn[i]] = true;
+    for (std::size_t i = 0; i < sampled.size(); ++i) {
+      const ResetElement& each = there.states[sampled[i]];
+      values[sampled[i]] = ((bits >> i) & 1U) != 0 ? *each.sample_high : *each.sample_low;
+      is_set[sampled[i]] = true;
     }
     Corner corner;
     for (std::size_t begin = 0, end = 0; begin < values.size(); begin = end) {

@@ -11,12 +11,12 @@
 
 namespace eagerx::gen {
 
-/// NAME=VALUE,… of each state with a drawn parameter or delay.
+/// NAME=VALUE,… of each state with a sampled parameter or delay.
 using Corner = std::vector<std::string>;
 
 /// Parameters and delays with a range from which a reset samples them: elements of
 /// Hyperperiod::states.
-std::vector<std::size_t> drawn_parameters(const Hyperperiod& there);
+std::vector<std::size_t> sampled_parameters(const Hyperperiod& there);
 /// All combinations of the ends of their ranges, at most 2^8; nothing if there are more.
 std::optional<std::vector<Corner>> corners_of(const Hyperperiod& there);
 

@@ -16,9 +16,9 @@ namespace eagerx::gen {
 struct ResetElement {
   std::string state;
   std::size_t element = 0;
-  double value = 0.0;                           // that was set
-  std::optional<double> low, high;              // of its space, where it is bounded
-  std::optional<double> drawn_low, drawn_high;  // from which a reset draws it
+  double value = 0.0;                             // that was set
+  std::optional<double> low, high;                // of its space, where it is bounded
+  std::optional<double> sample_low, sample_high;  // from which a reset samples it
   static constexpr std::size_t kNone = ~std::size_t{0};
   std::size_t word = kNone;  // the number of the program that it is, unchanged
 };
