@@ -22,7 +22,6 @@ State Walk::open_header(LoopIndex l, const State& in, const std::set<Location>& 
     if (!fixed.contains(where)) header.set(where, {base_of(Origin::header, at, where), 0, 0});
   }
   header.comparison.reset();
-  header.choice.reset();
   if (const auto found = escapes_.find(l); found != escapes_.end()) {
     header.escaped = std::min(header.escaped, found->second.first);
     header.arguments_escaped |= found->second.second;
