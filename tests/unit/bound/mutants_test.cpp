@@ -263,6 +263,7 @@ TEST(Mutants, OfTheAnalysisAreBelowWhatIsExecuted) {
     EXPECT_EQ(found.found, found.mutants) << program;
     all.mutants += found.mutants;
   }
+  RecordProperty("mutants", static_cast<int>(all.mutants));
   EXPECT_GE(all.mutants, kLeastMutants);
 }
 
