@@ -17,7 +17,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What builds the programs, what `--publish`, `report --live` and `--key` open at run time, what builds faster, and what only some graphs and boards need.
+# What builds the programs, and what `report --live`, `--publish` and `--key` open at run time; what builds the programs
+# faster, and what only some graphs and boards need.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake (>= 3.25), ninja-build, pkg-config, gcc-arm-none-eabi, libnewlib-arm-none-eabi, \
 libstdc++-arm-none-eabi-newlib, libstdc++-arm-none-eabi-dev, qemu-system-arm, ffmpeg, libsdl2-2.0-0, libwebsockets-dev, libsodium23")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
