@@ -17,13 +17,14 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# Packages that build programs, that speed up builds, and that only some graphs and boards need.
+# Recommended: packages that build programs, and libraries that `report --live`, `--publish` and `--key` open at run time.
+# Suggested: packages that speed up builds, and those that only some graphs and boards need.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake (>= 3.25), ninja-build, pkg-config, gcc-arm-none-eabi, libnewlib-arm-none-eabi, \
-libstdc++-arm-none-eabi-newlib, libstdc++-arm-none-eabi-dev, qemu-system-arm, ffmpeg, libsdl2-2.0-0")
+libstdc++-arm-none-eabi-newlib, libstdc++-arm-none-eabi-dev, qemu-system-arm, ffmpeg, libsdl2-2.0-0, libwebsockets-dev, libsodium23")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
     "ccache, gcc-riscv64-unknown-elf, picolibc-riscv64-unknown-elf, qemu-system-misc, \
 g++-aarch64-linux-gnu, g++-arm-linux-gnueabihf, qemu-user, libode-dev, libftdi1-dev, \
-cyclonedds-dev, cyclonedds-tools, libsodium23, emscripten, nodejs")
+cyclonedds-dev, cyclonedds-tools, emscripten, nodejs")
 if(CMAKE_CROSSCOMPILING)
   set(debian_names x86_64 amd64 aarch64 arm64 armv7 armhf)
   list(FIND debian_names "${CMAKE_SYSTEM_PROCESSOR}" index)

@@ -140,8 +140,10 @@ TEST(SaidLayers, HaveTheNamesOfAnyLibrary) {
     EXPECT_THAT(asked.all().front().help.text, HasSubstr("layers: [" + listed + "]"));
     ReadContext context = with_layers(names);
     context.activation = Activation::relu;
+    context.output_activation = Activation::identity;
     Diagnostics diagnostics;
     const auto network = read_policy_bytes(bytes, "p", {}, diagnostics, context);
+    for (const auto& problem : diagnostics.all()) ADD_FAILURE() << problem.message;
     ASSERT_TRUE(network.has_value()) << listed;
     EXPECT_EQ(network->layers.size(), 3U);
     EXPECT_EQ(network->layers[1].activation, Activation::relu);

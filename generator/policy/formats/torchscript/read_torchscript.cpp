@@ -145,27 +145,34 @@ class TorchReading {
   }
 
   /// Again with each buffer that `forward` changes as a history: what is known of its former
-  /// numbers is only where they are. If none is one, the first problem stays.
+  /// numbers is only where they are.
   void follow(const std::vector<std::int64_t>& sizes, TorchTry& made) {
     follow_changes(sizes, made);
-    const PolicyProblem first = made.problem;
     while (!made.action && add_history(sizes, made)) follow_changes(sizes, made);
-    if (!made.action) made.problem = first;
   }
+  /// If it does not come farther like that, the buffer is no history, which is the problem.
   void follow_changes(const std::vector<std::int64_t>& sizes, TorchTry& made) {
-    std::optional<PolicyProblem> first;
+    PolicyProblem changes;
+    std::int64_t followed = -1;
     for (;;) {
       made.state = {};
       made.action.reset();
       made.others.clear();
+      made.problem = {};
       follow_once(sizes, made);
       made.reached =
           std::max(made.reached, {made.state.steps.size(), made.interpreter->followed()});
       const auto changed = made.interpreter->changed();
       if (!changed || !made.histories.insert(*changed).second) break;
-      if (!first) first = made.problem;
+      if (followed >= 0) continue;
+      followed = made.interpreter->followed();
+      refuse(changes, "E0756",
+             fmt::format("has a buffer `{}` {}",
+                         printable(made.interpreter->cells().at(*changed)->buffer), kUnknownState),
+             kHistoryAsInput);
+      if (!made.action) changes = made.problem;
     }
-    if (!made.action && first && !first->code.empty()) made.problem = *first;
+    if (!made.action && made.interpreter->followed() <= followed) made.problem = changes;
   }
   /// A buffer of zeros with which `forward` comes farther if it is a history: it may be read in a
   /// way that zeros cannot be, before it is changed.
