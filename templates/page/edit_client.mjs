@@ -19,7 +19,7 @@ export class EditClient {
     return done;
   }
 
-  /** {status, body} of a response. Status 0 means that there is none. */
+  /** {status, body} of a response. Status 0: no response. */
   async call(address, body) {
     const options = body === undefined ? {} : {method: "POST", headers: kJson, body: JSON.stringify(body)};
     try {
