@@ -1,4 +1,4 @@
-/* A line with a key: targets/PROTOCOL.md. */
+/* Connection with a key: targets/PROTOCOL.md. */
 #define _GNU_SOURCE
 #include "eagerx_key.h"
 
@@ -24,7 +24,7 @@ enum {
 };
 enum { kMessage = 0, kFinal = 3, kLength = 2 };
 
-/* 0: done, -1: refused. */
+/* All return 0 on success, and -1 if they refuse. */
 static struct {
   int (*init)(void);
   int (*keypair)(uint8_t* open, uint8_t* secret);
@@ -77,7 +77,7 @@ static int digit(char c) {
   return found == 0 ? -1 : (int)(found - DIGITS);
 }
 
-/* 0: it is none. */
+/* Parses the text of a key file. Returns 0 if it is invalid. */
 static int is_key(const char* text, struct eagerx_key* key) {
   const char* const digits = text + sizeof kKeyTitle - 1;
   if (memcmp(text, kKeyTitle, sizeof kKeyTitle - 1) != 0 || text[kKeyText - 1] != '\n') return 0;
@@ -89,7 +89,7 @@ static int is_key(const char* text, struct eagerx_key* key) {
   return 1;
 }
 
-/* 0: `problem` says what is wrong. */
+/* Returns 0 on failure, with the reason in `problem`. */
 static int read_key(int file, const char* path, struct eagerx_key* key, char* problem,
                     size_t room) {
   struct stat status;
@@ -130,7 +130,7 @@ int eagerx_key_use(const char* path, struct eagerx_key* key, char* problem, size
   const int begin = snprintf(problem, room, "cannot use the key `%s`: ", path);
   const size_t used = (size_t)begin < room ? (size_t)begin : room - 1;
   const int file =
-      open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY); /* a pipe would make it wait */
+      open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY); /* a FIFO would block */
   if (file < 0)
     return snprintf(problem + used, room - used, "%s%s", strerror(errno),
                     errno == ENOENT ? MAKE_ONE : ""),
@@ -143,7 +143,7 @@ int eagerx_key_use(const char* path, struct eagerx_key* key, char* problem, size
 size_t eagerx_seal(struct eagerx_records* records, const uint8_t* bytes, size_t size,
                    uint8_t* sealed) {
   unsigned long long sealed_size = 0;
-  sealed[0] = (uint8_t)size; /* it is bound, too */
+  sealed[0] = (uint8_t)size; /* authenticated, too */
   sealed[1] = (uint8_t)(size >> 8);
   sodium.push(records->out, sealed + kLength, &sealed_size, bytes, size, sealed, kLength,
               size == 0 ? kFinal : kMessage);
@@ -184,7 +184,7 @@ size_t eagerx_greeting_wanted(const struct eagerx_greeting* greeting) {
   return (greeting->has_said ? EAGERX_PROOF : EAGERX_HELLO) - greeting->taken_size;
 }
 
-/* The key of one direction, keyed with the key of the file. */
+/* Derives the key of one direction, with the key of the file. */
 static void mix(const struct eagerx_greeting* greeting, const char* direction,
                 const uint8_t* shared, uint8_t* stream_key) {
   uint8_t text[kDirection + EAGERX_NUMBER + EAGERX_SAID];
@@ -202,9 +202,9 @@ static int make_answer(struct eagerx_greeting* greeting, uint8_t* answer) {
   const uint8_t nothing = 0;
   memcpy(greeting->said, greeting->taken, EAGERX_HELLO);
   memcpy(greeting->said + EAGERX_HELLO, greeting->own, EAGERX_NUMBER);
-  if (memcmp(other, greeting->own, EAGERX_NUMBER) == 0) return -1; /* what we sent, sent back */
+  if (memcmp(other, greeting->own, EAGERX_NUMBER) == 0) return -1; /* our own key sent back */
   if (sodium.session_keys(in, out, greeting->own, greeting->secret, other) != 0)
-    return -1; /* a number that is never sampled */
+    return -1; /* a weak key, which is never sampled */
   mix(greeting, kFromConnector, in, greeting->in_key);
   mix(greeting, kFromListener, out, out_key);
   memcpy(answer, greeting->own, EAGERX_NUMBER);
@@ -235,7 +235,7 @@ int eagerx_greeting_take(struct eagerx_greeting* greeting, const uint8_t* bytes,
   const size_t count = size < wanted ? size : wanted;
   memcpy(greeting->taken + greeting->taken_size, bytes, count);
   greeting->taken_size += count;
-  /* Who says something else from the start is not waited for. */
+  /* Reject a peer that begins differently at once. */
   const size_t title = greeting->taken_size < EAGERX_TITLE ? greeting->taken_size : EAGERX_TITLE;
   if (!greeting->has_said && memcmp(greeting->taken, kTitle, title) != 0) return -1;
   if (count < wanted || wanted == 0) return 0;

@@ -1,4 +1,4 @@
-/* The line of bytes to the hub: targets/PROTOCOL.md. */
+/* Byte stream to the hub: targets/PROTOCOL.md. */
 #define _GNU_SOURCE
 #include "eagerx_line.h"
 
@@ -19,10 +19,10 @@ enum { kExitBadFile = 3, kWriteMs = 1000 };
 static struct {
   int file, is_socket, is_sealed, is_forged;
   struct eagerx_records records;
-  uint8_t opened[EAGERX_RECORD]; /* what a record had */
+  uint8_t opened[EAGERX_RECORD]; /* bytes of the decrypted record */
   size_t begin, end;
-  uint8_t sealed[EAGERX_SEALED]; /* one that has yet to go: it has its place in the order, so it
-                                    goes first */
+  uint8_t sealed[EAGERX_SEALED]; /* the record being sent: records have an order, so its rest goes
+                                    first */
   size_t sealed_begin, sealed_end;
 } g = {.file = -1};
 
@@ -36,7 +36,7 @@ static speed_t speed_of(long baud) {
   return B0;
 }
 
-/* What is wrong, null: it is open, and ours alone. */
+/* Opens the serial line with exclusive access. Returns null on success, otherwise the reason. */
 static const char* open_serial(const char* path, long baud) {
   struct termios settings;
   const speed_t speed = speed_of(baud);
@@ -45,7 +45,7 @@ static const char* open_serial(const char* path, long baud) {
   if (g.file < 0) return strerror(errno);
   if (tcgetattr(g.file, &settings) != 0) return "it is not a serial line";
   if (flock(g.file, LOCK_EX | LOCK_NB) != 0)
-    return "another program uses it"; /* root, too, whom TIOCEXCL does not bind */
+    return "another program uses it"; /* also excludes root, to which TIOCEXCL does not apply */
   ioctl(g.file, TIOCEXCL);
   cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;
@@ -88,7 +88,7 @@ int eagerx_line_open(const struct eagerx_options* options) {
   return kExitBadFile;
 }
 
-/* Some bytes of the file, -1: it is over. */
+/* Waits for bytes of the file and returns their number, or -1 at the end of the connection. */
 static ssize_t read_file(uint8_t* bytes, size_t size) {
   for (;;) {
     struct pollfd item = {g.file, POLLIN, 0};
@@ -99,7 +99,7 @@ static ssize_t read_file(uint8_t* bytes, size_t size) {
   }
 }
 
-/* How many went until then; -1: the line is over. */
+/* Returns the number of bytes written before the deadline, or -1 at the end of the connection. */
 static ssize_t write_file(const uint8_t* bytes, size_t size, int64_t until_ms) {
   size_t sent = 0;
   while (sent < size) {
@@ -139,7 +139,8 @@ size_t eagerx_line_read(uint8_t* bytes, size_t size) {
   return count;
 }
 
-/* Whether nothing that is sealed has yet to go; -1: the line is over. */
+/* Sends the rest of a record. Returns 1 if all of it is sent, 0 if not, or -1 at the end of the
+ * connection. */
 static int send_sealed(int64_t until_ms) {
   const ssize_t count =
       write_file(g.sealed + g.sealed_begin, g.sealed_end - g.sealed_begin, until_ms);
@@ -153,7 +154,7 @@ int eagerx_line_write(const uint8_t* bytes, size_t size) {
   if (!g.is_sealed) return write_file(bytes, size, until_ms) >= 0;
   while (size > 0) {
     const int gone = send_sealed(until_ms);
-    if (gone != 1) return gone == 0; /* a record that is out of time is never sealed */
+    if (gone != 1) return gone == 0; /* late data is dropped before encryption */
     const size_t count = size < EAGERX_RECORD ? size : EAGERX_RECORD;
     g.sealed_begin = 0;
     g.sealed_end = eagerx_seal(&g.records, bytes, count, g.sealed);

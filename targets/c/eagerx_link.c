@@ -14,10 +14,10 @@ jmp_buf eagerx_link_end;
 
 static struct {
   const struct eagerx_part* part;
-  uint8_t in[4096]; /* bytes of the line */
+  uint8_t in[4096]; /* received bytes */
   size_t in_begin, in_end;
-  uint8_t *encoded, *body, *answer; /* a frame as it comes; decoded; the payload being made */
-  uint8_t *out, *kept;              /* a frame before it is encoded; the last ones sent, by their numbers */
+  uint8_t *encoded, *body, *answer; /* received frame; decoded frame; payload of the next answer */
+  uint8_t *out, *kept;              /* frame to encode; last frames sent, by number */
   size_t* kept_size;
   size_t encoded_size, most_encoded, body_size, read, answer_size;
   int too_long, greeted, has_session;
@@ -66,7 +66,7 @@ static size_t cobs_encode(const uint8_t* bytes, size_t size, uint8_t* out) {
   }
 }
 
-/* 0 if it is no encoded frame. */
+/* Returns 0 if the bytes are not an encoded frame. */
 static size_t cobs_decode(const uint8_t* bytes, size_t size, uint8_t* out) {
   size_t used = 0, at = 0;
   while (at < size) {
@@ -111,7 +111,7 @@ static uint8_t next_byte(void) {
   return g.in[g.in_begin++];
 }
 
-/* Fills g.body with something that may be a frame. */
+/* Reads into g.body the next bytes that may be a frame. */
 static void next_frame(void) {
   for (;;) {
     const uint8_t byte = next_byte();
@@ -161,7 +161,7 @@ static void greet(void) {
   if (same) return;
   g.number = 0;
   g.answer_size = 0;
-  g.read = g.body_size = kHeader + kCrc; /* nothing is left of a request */
+  g.read = g.body_size = kHeader + kCrc; /* discards the rest of a request */
   g.has_session = hello[0] == own[0] && memcmp(hello + 2, own + 2, kGreeting - 2) == 0;
   g.before_greeting = 0;
   if (!g.has_session) {
@@ -228,7 +228,7 @@ void eagerx_link_put(const uint8_t* bytes, size_t size) {
 }
 
 void eagerx_link_wait(void) {
-  if (!g.greeted) wait_for_request(); /* a session that begins goes back to setjmp() */
+  if (!g.greeted) wait_for_request(); /* a new session returns to setjmp() */
   g.greeted = 0;
 }
 

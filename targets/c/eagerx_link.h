@@ -1,4 +1,4 @@
-/* Frames, checksums and sessions on the line to the hub. A program has one link. */
+/* Frames, checksums and sessions of the connection to the hub. A program has one link. */
 #ifndef EAGERX_LINK_H
 #define EAGERX_LINK_H
 
@@ -8,22 +8,22 @@
 
 #include "eagerx_part.h"
 
-/* What comes back to setjmp(eagerx_link_end). */
+/* Values that setjmp(eagerx_link_end) returns. */
 enum eagerx_ending { EAGERX_GOES_ON, EAGERX_SESSION_OVER, EAGERX_CLOSED, EAGERX_WRONG };
 extern jmp_buf eagerx_link_end;
 void eagerx_link_stop(enum eagerx_ending how, const char* why);
 const char* eagerx_link_why(void);
 
-/* Of a line that is open. 0: there is no memory. */
+/* Call this after the connection is open. Returns 0 if there is no memory. */
 int eagerx_link_begin(const struct eagerx_part* part);
 void eagerx_link_free(void);
-/* Waits until a session begins, if none has just begun. */
+/* Waits until a session begins, unless one has just begun. */
 void eagerx_link_wait(void);
-/* Bytes of the hub's messages. */
+/* Reads bytes of the hub's messages. */
 void eagerx_link_get(uint8_t* bytes, size_t size);
-/* Bytes for the hub. They go when the hub's next ones are needed, or a frame is full. */
+/* Adds bytes for the hub. They are sent when the next request is needed, or a frame is full. */
 void eagerx_link_put(const uint8_t* bytes, size_t size);
-/* Frames that were dropped. */
+/* Number of dropped frames. */
 uint32_t eagerx_link_damaged(void);
 
 #endif

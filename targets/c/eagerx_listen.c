@@ -1,4 +1,4 @@
-/* Who may speak on a socket. */
+/* Access control of sockets. */
 #define _GNU_SOURCE
 #include <arpa/inet.h>
 #include <errno.h>
@@ -31,8 +31,8 @@ int eagerx_is_tcp(const char* address) {
          strchr(address, ':') != 0;
 }
 
-/* Whether a program listens on the socket: a stream takes no datagrams, but only a living one says
- * so. */
+/* True if a program listens on the socket: connecting a datagram socket to it fails, but only a
+ * dead one refuses. */
 static int is_alive(const struct sockaddr_un* address) {
   const int probe = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   const int refused = connect(probe, (const struct sockaddr*)address, sizeof *address) != 0 &&
@@ -53,22 +53,22 @@ static int lock_folder(const char* path) {
   return file;
 }
 
-/* 0: errno says why it does not listen. */
+/* Returns 0 on failure, with the reason in errno. */
 static int listen_at(int file, const char* path) {
   struct sockaddr_un address = {.sun_family = AF_UNIX};
   struct stat there;
   strcpy(address.sun_path, path);
   if (lstat(path, &there) ==
-      0) { /* one of an earlier run goes; what somebody listens on, or is no socket, stays */
+      0) { /* removes the socket of an earlier run, but no live socket and no other file */
     if (!S_ISSOCK(there.st_mode) || is_alive(&address)) return errno = EADDRINUSE, 0;
     unlink(path);
   }
   strcat(address.sun_path, "~");
   if (lstat(address.sun_path, &there) == 0 && S_ISSOCK(there.st_mode)) unlink(address.sun_path);
-  return fchmod(file, 0600) == 0 && /* only its owner may connect, from the first moment on */
+  return fchmod(file, 0600) == 0 && /* only its owner can connect, from the beginning */
          bind(file, (const struct sockaddr*)&address, sizeof address) == 0 &&
          listen(file, 1) == 0 &&
-         rename(address.sun_path, path) == 0; /* once the socket is visible, a peer can connect */
+         rename(address.sun_path, path) == 0; /* a peer can connect once the socket is visible */
 }
 
 static int listen_unix(const char* path, char* problem) {
@@ -106,7 +106,7 @@ static void say_where(int file, int has_key) {
           has_key ? "for holders of the key" : "for this machine only");
 }
 
-/* A port, and nothing that getaddrinfo() would take besides. */
+/* True for a decimal port number. getaddrinfo() would also accept other texts. */
 static int is_port(const char* text) {
   unsigned long number = 0;
   if (*text == '\0' || strlen(text) > 5) return 0;
@@ -152,7 +152,7 @@ static int listen_tcp(const char* address, int has_key, char* problem) {
   return file;
 }
 
-/* The peer that says something first; others are refused from then on. */
+/* First peer that sends anything; later peers are rejected. */
 static int accept_one(int listener) {
   for (;;) {
     const int file = accept4(listener, 0, 0, SOCK_CLOEXEC);
@@ -170,7 +170,7 @@ static int accept_one(int listener) {
   }
 }
 
-/* Connections that have not shown yet that they have the key. */
+/* Connections that have not yet proved that they have the key. */
 static struct {
   int file;
   int64_t until_ms;
@@ -182,7 +182,7 @@ static void drop(int which, const char* why) {
   close(unknown[which].file);
   unknown[which].file = -1;
   explicit_bzero(&unknown[which].greeting, sizeof unknown[which].greeting);
-  if (++dropped != next_note) return; /* repeated connections fill no disk */
+  if (++dropped != next_note) return; /* limits the log that repeated connections write */
   next_note *= 10;
   if (dropped == 1)
     fprintf(stderr, "note: dropped a peer that %s\n", why);
@@ -193,7 +193,7 @@ static void drop(int which, const char* why) {
 static void let_in(int listener, const struct eagerx_key* key) {
   const int file = accept4(listener, 0, 0, SOCK_CLOEXEC | SOCK_NONBLOCK);
   if (file < 0)
-    return; /* what is wrong with a connection is nothing that is wrong with the listener */
+    return; /* the connection failed, which does not affect the listener or other connections */
   int place = 0;
   for (int i = 0; i < kMostUnknown; ++i) {
     if (unknown[i].file < 0) {
@@ -208,7 +208,7 @@ static void let_in(int listener, const struct eagerx_key* key) {
   eagerx_greeting_begin(&unknown[place].greeting, key);
 }
 
-/* Reads what is there of a greeting, and answers it. Whether it has the key. */
+/* Reads the available bytes of a greeting and answers them. Returns 1 if the peer has the key. */
 static int is_known(int which) {
   const char* const hung_up = "hung up before it authenticated";
   struct eagerx_greeting* const greeting = &unknown[which].greeting;
@@ -219,14 +219,14 @@ static int is_known(int which) {
   if (count <= 0) return drop(which, hung_up), 0;
   const int size = eagerx_greeting_take(greeting, bytes, (size_t)count, answer);
   if (size < 0) return drop(which, "does not have the key"), 0;
-  /* A new connection always has room for it. */
+  /* A new connection has room for the answer. */
   if (size > 0 &&
       send(unknown[which].file, answer, (size_t)size, MSG_NOSIGNAL | MSG_DONTWAIT) != size)
     return drop(which, hung_up), 0;
   return greeting->is_done;
 }
 
-/* The first peer that has the key; others have no longer than EAGERX_GREETING_MS. */
+/* First peer that has the key. Others are dropped after EAGERX_GREETING_MS. */
 static int accept_known(int listener, const struct eagerx_key* key,
                         struct eagerx_records* records) {
   fcntl(listener, F_SETFL, O_NONBLOCK);
@@ -235,7 +235,7 @@ static int accept_known(int listener, const struct eagerx_key* key,
     struct pollfd items[kMostUnknown + 1];
     int64_t until_ms = INT64_MAX;
     for (int i = 0; i < kMostUnknown; ++i) {
-      items[i] = (struct pollfd){unknown[i].file, POLLIN, 0}; /* -1 is left out */
+      items[i] = (struct pollfd){unknown[i].file, POLLIN, 0}; /* poll() ignores -1 */
       if (unknown[i].file >= 0 && unknown[i].until_ms < until_ms) until_ms = unknown[i].until_ms;
     }
     items[kMostUnknown] = (struct pollfd){listener, POLLIN, 0};
@@ -272,6 +272,6 @@ int eagerx_listen(const char* address, const struct eagerx_key* key, struct eage
   if (listener < 0) return -1;
   const int file = key != 0 ? accept_known(listener, key, records) : accept_one(listener);
   close(listener);
-  setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes); /* of no effect on others */
+  setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes); /* has no effect on other sockets */
   return file;
 }

@@ -1,4 +1,4 @@
-/* The timetable of a part: targets/PROTOCOL.md. */
+/* Schedule of a part: targets/PROTOCOL.md. */
 #include "eagerx_part.h"
 
 #include <stdio.h>
@@ -10,7 +10,7 @@ enum { kStep = 1, kReset = 2, kFinish = 3, kSafeStep = 4 };
 enum { kEpisode = 17, kReport = 9, kMostRates = 64 };
 enum { kExitWrong = 1 };
 
-/* One part a program. */
+/* A program has one part. */
 static struct {
   const struct eagerx_part* part;
   uint64_t time, ticks[kMostRates];
@@ -76,7 +76,7 @@ static void begin_slot(void) {
 }
 
 static void reset(void) {
-  uint8_t episode[kEpisode]; /* states that are sampled are of parts in C++ */
+  uint8_t episode[kEpisode]; /* unused, because only parts in C++ have sampled states */
   eagerx_link_get(episode, sizeof episode);
   g.time = 0;
   memset(g.ticks, 0, sizeof g.ticks);

@@ -1,4 +1,4 @@
-/* The program of a part: its options and exit codes. */
+/* Program of a part: its options and exit codes. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 
 enum { kExitUsage = 2, kExitLine = 3, kBaud = 115200 };
 
-/* 0: wrong usage. */
+/* Returns 0 if the usage is wrong. */
 static int read_options(int argc, char** argv, struct eagerx_options* options) {
   for (int i = 1; i + 1 < argc; i += 2) {
     char* rest = "";

@@ -1,8 +1,8 @@
-"""The program: `python3 FOLDER --listen unix:PATH`."""
+"""Program of a part: `python3 FOLDER --listen unix:PATH`."""
 import os
 import sys
 
-from eagerx_part import main  # first: it says what is missing
+from eagerx_part import main  # first, because it reports missing packages
 
 import nodes
 

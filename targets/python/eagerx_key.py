@@ -1,8 +1,8 @@
-"""A line with a key, of which this is the end that listens: the key's file, the greeting, and records, as the section
-"With a key" of targets/PROTOCOL.md says them. All that is cryptography is libsodium's, through ctypes.
+"""Connection with a key, on the listening side: the key file, the greeting, and records, as specified in the section
+"With a key" of targets/PROTOCOL.md. libsodium provides all cryptography, through ctypes.
 
-No sockets are in here: bytes go in and out. What is wrong with a key is a KeyProblem, a peer without the key a Stranger,
-and what the other end did not send a Forged.
+This module handles bytes and opens no sockets. It raises KeyProblem for an unusable key, Stranger for a peer without
+the key, and Forged for data that the peer did not send.
 """
 import ctypes
 import os
@@ -11,11 +11,11 @@ import struct
 
 TITLE = b"eagerx-key-link1"
 FROM_LISTENER, FROM_CONNECTOR = b"eagerx link 1: from who listens.", b"eagerx link 1: from who connects"
-MOST_BYTES = 4096  # of a record
+MOST_BYTES = 4096  # per record
 _KEY_TITLE, _DIGITS = b"eagerx-gen key 1 ", b"0123456789abcdef"
 _KEY_FILE_BYTES = len(_KEY_TITLE) + 64 + 1
 _MAKE_ONE = "\nhelp: `eagerx-gen key new FILE` writes one"
-# Of libsodium's headers, version 1.0.18: Debian 12 and 13.
+# From the headers of libsodium 1.0.18, the version in Debian 12 and 13.
 _LIBRARY = "libsodium.so.23"
 _PUBLIC, _SECRET, _SHARED, _STREAM_KEY, _HEAD, _SEAL, _STATE = 32, 32, 32, 32, 24, 17, 52
 _MESSAGE, _FINAL = 0, 3
@@ -23,7 +23,7 @@ _LENGTH = struct.Struct("<H")
 _HELLO, _PROOF = len(TITLE) + _PUBLIC, _HEAD + _SEAL
 _STREAM = "crypto_secretstream_xchacha20poly1305_"
 _BYTES, _SIZE, _MANY, _TAG = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_ulonglong, ctypes.c_ubyte
-_FUNCTIONS = {  # name → types of the arguments; each returns an int, 0 for done
+_FUNCTIONS = {  # name → argument types; each function returns an int, 0 for success
     "sodium_init": [],
     "crypto_kx_keypair": [_BYTES] * 2,
     "crypto_kx_server_session_keys": [_BYTES] * 5,
@@ -37,7 +37,7 @@ _SIZES = {_STREAM + "statebytes": _STATE, _STREAM + "headerbytes": _HEAD, _STREA
 
 
 class KeyProblem(Exception):
-    """The key, or what it needs, cannot be used."""
+    """The key, or the library that it needs, is unusable."""
 
 
 class Stranger(Exception):
@@ -45,18 +45,18 @@ class Stranger(Exception):
 
 
 class Forged(Exception):
-    """The bytes received are not the next ones of the other end."""
+    """The bytes received are not the next ones that the peer sent."""
 
 
 class _Sodium:
-    """The library, opened when a key is used."""
+    """The library, loaded when a key is used."""
 
     def __init__(self):
         missing = KeyProblem(f"a key needs the library libsodium, `{_LIBRARY}`\nhelp: apt install libsodium23")
         try:
             library = ctypes.CDLL(_LIBRARY)
             for name, arguments in _FUNCTIONS.items():
-                function = library[name]  # a new one each time
+                function = library[name]  # indexing returns a new object each time
                 function.argtypes, function.restype = arguments, ctypes.c_int
                 setattr(self, name.replace(_STREAM, ""), function)
             for name, size in _SIZES.items():
@@ -80,8 +80,8 @@ def _wipe(*rooms):
 
 
 def _read_key(path):
-    """The 32 bytes of the file, which must be this user's alone."""
-    file = os.open(path, os.O_RDONLY | os.O_CLOEXEC | os.O_NONBLOCK | os.O_NOCTTY)  # a pipe would make it wait
+    """Reads the 32 bytes of the key from a file that only this user can access."""
+    file = os.open(path, os.O_RDONLY | os.O_CLOEXEC | os.O_NONBLOCK | os.O_NOCTTY)  # a FIFO would block
     try:
         status = os.fstat(file)
         if not stat.S_ISREG(status.st_mode):
@@ -105,7 +105,7 @@ def _read_key(path):
 
 
 class Key:
-    """The key of a file, and the library to use it."""
+    """Key from a file, and the library that uses it."""
 
     def __init__(self, path):
         self.sodium = _Sodium()
@@ -119,26 +119,27 @@ class Key:
 
 
 class Greeting:
-    """The first bytes each way. The peer has shown that it has the key, and is there now, when `is_done`."""
+    """First bytes in each direction. `is_done`: the peer has proved that it has the key and is live."""
 
     def __init__(self, key):
         self._sodium, self._key = key.sodium, key.bytes
         self._own, self._secret = _room(_PUBLIC), _room(_SECRET)
         self._sodium.crypto_kx_keypair(self._own, self._secret)
         self._taken = b""
-        self._said = None  # of who connects and who listens: all that was said in the open
+        self._said = None  # title and public keys of both sides: everything sent in plain text
         self._in_key, self._in, self._out = _room(_STREAM_KEY), _room(_STATE), _room(_STATE)
         self.is_done = False
 
     def wanted(self):
-        """How many bytes are missing until something happens; 0: nothing more is read."""
+        """Number of bytes needed before the next action; 0 if the greeting reads no more."""
         return 0 if self.is_done else (_HELLO if self._said is None else _PROOF) - len(self._taken)
 
     def take(self, data):
-        """Takes at most wanted() bytes; what is to be sent now. Raises Stranger if the sender does not have the key."""
+        """Takes at most wanted() bytes and returns the bytes to send. Raises Stranger if the peer does not have the
+        key."""
         self._taken += data
         if self._said is None and not self._taken.startswith(TITLE[:len(self._taken)]):
-            raise Stranger  # who says something else from the start is not waited for
+            raise Stranger  # a peer that begins differently is rejected at once
         if self.wanted() > 0:
             return b""
         taken, self._taken = self._taken, b""
@@ -148,13 +149,13 @@ class Greeting:
         return b""
 
     def go_on(self):
-        """The records that follow."""
+        """Records that follow the greeting."""
         return Records(self._sodium, self._out, self._in)
 
     def _answer(self, other):
         own = self._own.raw
         received, sent = _room(_SHARED), _room(_SHARED)
-        # A number that is never sampled, or our own one.
+        # Rejects our own public key sent back, and weak keys, which are never sampled.
         if own == other or self._sodium.crypto_kx_server_session_keys(received, sent, self._own, self._secret, other):
             raise Stranger
         self._said = TITLE + other + own
@@ -167,7 +168,7 @@ class Greeting:
         return own + head.raw + proof.raw
 
     def _mix(self, direction, shared, stream_key):
-        """The key of one direction, keyed with the key of the file."""
+        """Derives the key of one direction, with the key of the file."""
         text = direction + shared.raw + self._said
         self._sodium.crypto_generichash(stream_key, _STREAM_KEY, text, len(text), self._key, len(self._key))
 
@@ -182,7 +183,7 @@ class Greeting:
 
 
 class Records:
-    """Records of at most MOST_BYTES each way, each sealed on its own."""
+    """Records of at most MOST_BYTES in each direction, each encrypted and authenticated."""
 
     def __init__(self, sodium, out, into):
         self._sodium, self._out, self._in = sodium, out, into
@@ -190,19 +191,19 @@ class Records:
         self._is_over = False
 
     def seal(self, data):
-        """One record. That of nothing is the last one."""
-        length = _LENGTH.pack(len(data))  # it is bound, too
+        """Encrypts one record. An empty record is the last one."""
+        length = _LENGTH.pack(len(data))  # authenticated, too
         sealed = _room(len(data) + _SEAL)
         self._sodium.push(self._out, sealed, None, data, len(data), length, len(length), _MESSAGE if data else _FINAL)
         return length + sealed.raw
 
     def take(self, data):
-        """Bytes of the line."""
+        """Adds received bytes."""
         self._taken += data
 
     def open(self):
-        """The bytes of the next record; none: the other end says that nothing comes any more; None: it is not there as a
-        whole. Forged if it is not what the other end sent; nothing after it is read."""
+        """Returns the bytes of the next record, b"" if the peer announces the end, or None if the record is incomplete.
+        Raises Forged if the peer did not send it, and reads nothing after it."""
         if self._is_over:
             raise Forged
         if len(self._taken) < _LENGTH.size:

@@ -1,6 +1,6 @@
-"""The line of bytes to the hub: a socket, also with a key, or a serial line.
+"""Connection to the hub: a socket, with or without a key, or a serial line.
 
-A line that is over is a LinkClosed; what came over a sealed one and was not what the hub sent is a LinkForged.
+The end of the connection raises LinkClosed, and data on an encrypted connection that the hub did not send LinkForged.
 """
 import errno
 import fcntl
@@ -14,20 +14,20 @@ import time
 
 from eagerx_key import MOST_BYTES, Forged, Greeting, Stranger
 
-GREETING_S = 5  # that a peer has to say something, or to show that it has the key
-WRITE_S = 1  # after which bytes that the peer does not take are dropped
-MOST_UNKNOWN = 16  # connections that have not shown yet that they have the key
+GREETING_S = 5  # time for a peer to send its first bytes, or to prove that it has the key
+WRITE_S = 1  # time after which bytes that the peer does not accept are dropped
+MOST_UNKNOWN = 16  # connections that have not yet proved that they have the key
 NEEDS_KEY = ("beyond this machine TCP needs a key\n"
              "help: `eagerx-gen key new FILE` writes one; both sides take it with `--key FILE`")
 _READ_BYTES = 65536
 
 
 class LinkClosed(Exception):
-    """The line is over."""
+    """The connection has ended."""
 
 
 class LinkForged(LinkClosed):
-    """Somebody changes what is sent."""
+    """A third party changes the data."""
 
 
 def say(text):
@@ -35,7 +35,7 @@ def say(text):
 
 
 class Port:
-    """A line of bytes: a socket or a serial line."""
+    """Byte stream over a socket or a serial line."""
 
     def __init__(self, file, knows_peer, keep=None):
         self.file, self._keep = file, keep
@@ -43,7 +43,7 @@ class Port:
         os.set_blocking(file, False)
 
     def read(self):
-        """Some bytes; waits for them."""
+        """Waits for bytes and returns them."""
         while True:
             select.select([self.file], [], [])
             try:
@@ -57,7 +57,7 @@ class Port:
             return data
 
     def send(self, data, until):
-        """Sends bytes until a time of time.monotonic(); returns the rest that could not be sent."""
+        """Sends bytes until a time of time.monotonic(). Returns those that it could not send."""
         while data:
             try:
                 data = data[os.write(self.file, data):]
@@ -71,19 +71,19 @@ class Port:
         return data
 
     def write(self, data):
-        """Bytes that the peer does not take in time are dropped: the hub asks again."""
+        """Drops bytes that the peer does not accept in time: the hub sends its request again."""
         self.send(data, time.monotonic() + WRITE_S)
 
     def close(self):
-        """Nothing is said any more."""
+        """Sends nothing: this connection has no announced end."""
 
 
 class SealedPort:
-    """A socket between two who have a key in common."""
+    """Socket between two peers that share a key."""
 
     def __init__(self, port, records):
         self._port, self._records, self.knows_peer = port, records, True
-        self._rest = b""  # of a record that is sealed: it has its place in the order, so it goes first
+        self._rest = b""  # of an encrypted record: records have a fixed order, so the rest is sent first
 
     def read(self):
         while True:
@@ -101,7 +101,7 @@ class SealedPort:
                 raise LinkClosed(f"it was cut, without an announced end: {end}") from None
 
     def write(self, data):
-        """A frame that is out of time is never sealed."""
+        """Drops data that is late before encryption, because encrypted records must arrive without gaps."""
         until = time.monotonic() + WRITE_S
         for begin in range(0, len(data), MOST_BYTES):
             self._rest = self._port.send(self._rest, until)
@@ -110,7 +110,7 @@ class SealedPort:
             self._rest = self._port.send(self._records.seal(data[begin:begin + MOST_BYTES]), until)
 
     def close(self):
-        """Announces a regular end, as opposed to a cut line."""
+        """Announces a regular end, as opposed to an interrupted connection."""
         if self._rest:
             return
         try:
@@ -120,7 +120,7 @@ class SealedPort:
 
 
 def _first_that_speaks(listener):
-    """The peer that says something first; others are refused from then on."""
+    """First peer that sends anything; later peers are rejected."""
     while True:
         peer, _ = listener.accept()
         ready, _, _ = select.select([peer], [], [], GREETING_S)
@@ -136,16 +136,16 @@ def _first_that_speaks(listener):
 
 
 class _Door:
-    """Admits the first peer that has the key."""
+    """Accepts the first peer that has the key."""
 
     def __init__(self, listener, key):
         self._listener, self._key = listener, key
-        self._unknown = {}  # socket → (until, Greeting), oldest first
+        self._unknown = {}  # socket → (deadline, Greeting), oldest first
         self._dropped, self._next_note = 0, 1
         listener.setblocking(False)
 
     def wait(self):
-        """The SealedPort to it."""
+        """SealedPort to the peer."""
         try:
             while True:
                 left = min((until for until, _ in self._unknown.values()), default=None)
@@ -187,7 +187,7 @@ class _Door:
         peer.close()
         del self._unknown[peer]
         self._dropped += 1
-        if self._dropped == self._next_note:  # repeated connections fill no disk
+        if self._dropped == self._next_note:  # limits the log that repeated connections write
             self._next_note *= 10
             say(f"note: dropped a peer that {why}" +
                 ("" if self._dropped == 1 else f"; {self._dropped} dropped so far"))
@@ -196,7 +196,7 @@ class _Door:
         try:
             peer, _ = self._listener.accept()
         except OSError:
-            return  # what is wrong with a connection is nothing that is wrong with the listener
+            return  # a failed connection does not affect the listener
         if len(self._unknown) == MOST_UNKNOWN:
             self._drop(next(iter(self._unknown)), "waited longest of too many")
         peer.setblocking(False)
@@ -204,7 +204,8 @@ class _Door:
 
 
 def _is_alive(path):
-    """Whether a program listens on this socket: a stream takes no datagrams, but only a living one says so."""
+    """True if a program listens on this socket: connecting a datagram socket to it fails, but only a dead one
+    refuses."""
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as probe:
         try:
             probe.connect(path)
@@ -226,10 +227,10 @@ def _listen_unix(path):
             os.unlink(path)
         if os.path.lexists(path + "~") and stat.S_ISSOCK(os.lstat(path + "~").st_mode):
             os.unlink(path + "~")
-        os.fchmod(listener.fileno(), 0o600)  # only its owner may connect, from the first moment on
+        os.fchmod(listener.fileno(), 0o600)  # only its owner can connect, from the beginning
         listener.bind(path + "~")
         listener.listen(1)
-        os.rename(path + "~", path)  # once the socket is visible, a peer can connect
+        os.rename(path + "~", path)  # a peer can connect as soon as the socket is visible
     finally:
         os.close(folder)
     say(f"listens on unix:{path}")
@@ -252,7 +253,7 @@ def _tcp_listener(address, key):
         try:
             listener = socket.socket(family, kind, protocol)
             listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # of those that it accepts, too
+            listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # accepted sockets inherit it
             listener.bind(where)
             listener.listen(1 if key is None else 128)
             return listener
@@ -270,18 +271,18 @@ def _listen_tcp(address, key):
 
 
 def is_tcp_address(address):
-    """Whether it has the form of HOST:PORT."""
+    """True if an address has the form HOST:PORT."""
     return not address.startswith("unix:") and "/" not in address and ":" in address
 
 
 def listen(address, key=None):
-    """A line to the one peer that comes: `unix:PATH`, `:PORT` of this machine, or HOST:PORT, which beyond this machine
-    needs a Key."""
+    """Waits for the only peer at `unix:PATH`, `:PORT` of this machine, or HOST:PORT, which needs a Key beyond this
+    machine."""
     return _listen_unix(address[5:]) if address.startswith("unix:") else _listen_tcp(address, key)
 
 
 def open_serial(path, baud):
-    """A Port over a serial line, which is ours alone."""
+    """Port over a serial line, with exclusive access."""
     speed = getattr(termios, f"B{baud}", 0)
     if speed == 0:
         raise OSError(errno.EINVAL, "Linux has no such baud rate")
@@ -291,7 +292,7 @@ def open_serial(path, baud):
     except termios.error:
         raise OSError(errno.ENOTTY, "it is not a serial line") from None
     try:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)  # also keeps root out, who is not bound by TIOCEXCL
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)  # also excludes root, to which TIOCEXCL does not apply
     except BlockingIOError:
         raise OSError(errno.EBUSY, "another program uses it") from None
     fcntl.ioctl(file, termios.TIOCEXCL)

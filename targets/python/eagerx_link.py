@@ -1,6 +1,6 @@
-"""The line from a part to the hub of its graph: frames, checksums and sessions, as targets/PROTOCOL.md says them.
+"""Connection of a part to the hub of its graph: frames, checksums and sessions, as specified in targets/PROTOCOL.md.
 
-Nothing in here knows a graph. What is wrong with a frame is a FrameError.
+This module does not depend on a graph. It raises FrameError for an invalid frame.
 """
 import struct
 
@@ -10,9 +10,9 @@ from eagerx_line import say
 
 PROTOCOL = 1
 HELLO, WELCOME, REQUEST, ANSWER = 1, 2, 3, 4
-FRAME_BYTES = 9  # of a frame, besides its payload: kind, number, CRC
+FRAME_BYTES = 9  # bytes of a frame besides its payload: kind, number, CRC
 GREETING_BYTES = 16
-MOST_BEFORE_GREETING = 65536  # bytes of a socket that are no greeting
+MOST_BEFORE_GREETING = 65536  # bytes that a socket may receive before a greeting
 _RUN = 254  # most bytes after one length byte of COBS
 _HEADER = struct.Struct("<BI")
 _CRC = struct.Struct("<I")
@@ -20,7 +20,7 @@ _GREETING = struct.Struct("<BBHQI")
 
 
 class FrameError(Exception):
-    """Bytes that are not a frame of this session."""
+    """The bytes are not a frame of this session."""
 
 
 class SessionOver(Exception):
@@ -28,11 +28,11 @@ class SessionOver(Exception):
 
 
 class ProtocolError(Exception):
-    """The peer is not a hub of this graph, or no hub at all."""
+    """The peer is not a hub of this graph, or not a hub."""
 
 
 def _tables(most):
-    """tables[k][b]: what the byte b does to a CRC when k bytes follow it."""
+    """tables[k][b]: effect of byte b on a CRC when k bytes follow it."""
     one = np.arange(256, dtype=np.uint32)
     for _ in range(8):
         one = np.where(one & 1, one >> 1 ^ np.uint32(0x82F63B78), one >> 1)
@@ -47,7 +47,8 @@ _TABLES = _tables(1100)
 
 
 def crc32c(data, start=0):
-    """CRC-32C of bytes; `start` is that of the bytes before them. A byte's effect does not depend on the others."""
+    """CRC-32C of bytes; `start` is the CRC of the bytes before them. The effects of bytes are independent of each
+    other."""
     crc = ~start & 0xFFFFFFFF
     for begin in range(0, len(data), len(_TABLES)):
         part = bytes(data[begin:begin + len(_TABLES)])
@@ -62,7 +63,7 @@ def crc32c(data, start=0):
 
 
 def cobs_encode(data):
-    """The bytes without a zero among them, and without the zero that ends them."""
+    """Encodes bytes so that they contain no zero. The terminating zero is not included."""
     out = bytearray()
     runs = bytes(data).split(b"\0")
     for i, run in enumerate(runs):
@@ -80,7 +81,7 @@ def cobs_encode(data):
 
 
 def cobs_decode(data):
-    """The bytes that cobs_encode() was given."""
+    """Bytes that cobs_encode() encoded."""
     out = bytearray()
     at = 0
     while at < len(data):
@@ -95,13 +96,13 @@ def cobs_decode(data):
 
 
 def encode_frame(kind, number, payload, crc_start=0):
-    """A frame as transmitted."""
+    """Frame as transmitted."""
     body = _HEADER.pack(kind, number) + payload
     return b"\0" + cobs_encode(body + _CRC.pack(crc32c(body, crc_start))) + b"\0"
 
 
 def decode_frame(encoded):
-    """(kind, number, payload, whole body) of what is between two zeros. The CRC is for check_crc()."""
+    """Decodes the bytes between two zeros: (kind, number, payload, whole body). check_crc() checks the CRC."""
     body = cobs_decode(encoded)
     if len(body) < FRAME_BYTES:
         raise FrameError(f"{len(body)} bytes are too short for a frame")
@@ -114,39 +115,39 @@ def check_crc(body, crc_start):
 
 
 def greeting(graph, runtime, session, status=0):
-    """The payload of hello and welcome."""
+    """Payload of hello and welcome."""
     return _GREETING.pack(PROTOCOL, status, runtime, graph, session)
 
 
 def crc_start_of(graph, runtime, session):
-    """Initial values of the checksums of a session's requests and answers."""
+    """Initial value of the checksums of requests and answers in a session."""
     return crc32c(greeting(graph, runtime, session))
 
 
 class PartLink:
-    """A part's end of the line. It never speaks unasked: it answers a request once it needs more than it has, and a
-    duplicate with the answer that it had."""
+    """Side of a part, which only answers requests: it sends an answer when it needs more data than it has, and repeats
+    the answer to a duplicate request."""
 
     def __init__(self, port, graph, runtime, most_to_part, most_to_hub, depth=1):
         self.port, self.graph, self.runtime = port, graph, runtime
         self.most_to_hub = most_to_hub
-        self.depth = depth  # requests that the hub sends before it waits; as many answers are kept
+        self.depth = depth  # requests that the hub sends without waiting, and answers that the part keeps
         payload = max(most_to_part, GREETING_BYTES) + FRAME_BYTES
         self.most_encoded = payload + payload // _RUN + 1
-        self.damaged = 0  # frames that were dropped
+        self.damaged = 0  # dropped frames
         self._incoming = bytearray()
-        self._skipping = False  # a frame that is too long, up to its end
+        self._skipping = False  # until the end of a frame that is too long
         self._before_greeting = 0
-        self._session = None  # its number
-        self._number = 0  # of the request that is worked on; 0: none yet
+        self._session = None  # session number
+        self._number = 0  # of the current request; 0: none yet
         self._crc_start = 0
         self._request, self._read = b"", 0
         self._answer = bytearray()
-        self._kept = {}  # the last answers, by their numbers
+        self._kept = {}  # most recent answers, by number
         self._greeted = False
 
     def wait_for_hub(self):
-        """Returns when a session has begun."""
+        """Waits until a session begins."""
         while not self._greeted:
             try:
                 self._wait_for_request()
@@ -155,7 +156,7 @@ class PartLink:
         self._greeted = False
 
     def read(self, size):
-        """This number of bytes of the hub's messages."""
+        """Reads this number of bytes of the hub's messages."""
         parts = []
         while size > 0:
             if self._read == len(self._request):
@@ -168,7 +169,7 @@ class PartLink:
         return parts[0] if len(parts) == 1 else b"".join(parts)
 
     def write(self, data):
-        """Bytes for the hub. They go when the hub's next ones are needed, or a frame is full."""
+        """Adds bytes for the hub. They are sent when the next request is needed, or a frame is full."""
         at = 0
         while at < len(data):
             room = self.most_to_hub - len(self._answer)
@@ -190,7 +191,7 @@ class PartLink:
         self._wait_for_request()
 
     def _frames(self):
-        """The next thing between two zeros that may be a frame."""
+        """Next bytes between two zeros that may be a frame."""
         while True:
             end = self._incoming.find(0)
             if end >= 0:
@@ -234,7 +235,7 @@ class PartLink:
                 self.port.write(self._kept[number])
 
     def _greet(self, payload):
-        """Answers a greeting; SessionOver if a new session begins."""
+        """Answers a greeting. Raises SessionOver if a new session begins."""
         if len(payload) != GREETING_BYTES:
             raise FrameError(f"a greeting of {len(payload)} bytes")
         protocol, _, runtime, graph, session = _GREETING.unpack(payload)

@@ -1,6 +1,6 @@
-"""A part of a graph in Python: reads part.json next to it, talks with the hub and calls the nodes.
+"""Part of a graph in Python: reads part.json in the same folder, communicates with the hub and calls the nodes.
 
-`python3 FOLDER --listen unix:PATH` serves one hub. nodes.py has what the nodes do: for each node a class with
+`python3 FOLDER --listen unix:PATH` serves one hub. nodes.py implements the nodes: a class for each node, with
 `__init__(config)`, `reset(**states)` and `step(n, **inputs)`.
 """
 import argparse
@@ -20,7 +20,7 @@ from eagerx_link import PartLink, ProtocolError, SessionOver
 
 STEP, RESET, FINISH, SAFE_STEP = 1, 2, 3, 4
 EPISODE = struct.Struct("<QIIB")  # seed, environment, episode, agent
-REPORT = struct.Struct("<II")  # stack (not measured here), damaged frames; counts by name would follow
+REPORT = struct.Struct("<II")  # stack (not measured here), dropped frames; named counts would follow
 NO_COUNTS = b"\0"
 
 
@@ -38,7 +38,7 @@ def space_text(dtype, shape):
 
 
 class Message:
-    """The last messages of one output; number `seq` lies at `seq % keep`."""
+    """Newest messages of one output. Message `seq` is at index `seq % keep`."""
 
     def __init__(self, layout):
         self.name, self.bytes, self.keep = layout["name"], layout["bytes"], layout["keep"]
@@ -54,7 +54,7 @@ class Message:
         self.ring[seq % self.keep] = values != 0 if self.dtype == bool else values
 
     def set(self, seq, value, where):
-        """Keeps what a node has given, and returns its bytes."""
+        """Stores the value that a node returned, and returns its bytes."""
         given = np.asarray(value)
         wanted = space_text(self.dtype.name, self.shape)
         fits = np.can_cast(given.dtype, self.dtype, "same_kind") or (
@@ -65,12 +65,12 @@ class Message:
         return self.ring[seq % self.keep].tobytes()
 
     def window(self, end, size):
-        """The last `size` of `end` messages, oldest first: an array [size, *shape] of its own."""
+        """Copy of the last `size` of `end` messages, oldest first: an array [size, *shape]."""
         return self.ring[np.arange(end - size, end) % self.keep]
 
 
 class Input:
-    """How many messages an input has received: runtime/SEMANTICS.md, section 3."""
+    """Input of a node, and the number of messages that it has received: runtime/SEMANTICS.md, section 3."""
 
     def __init__(self, layout, messages):
         self.name, self.message = layout["name"], messages[layout["message"]]
@@ -85,7 +85,7 @@ class Input:
         return (self.a * n - self.x) // self.b
 
     def take(self, n):
-        """The messages in the window at tick n. Call it once at every tick."""
+        """Messages in the window at tick n. Must be called once at every tick."""
         before = self.received
         if not self.skip:
             self.received = max(1, self._sent(n) + 1)
@@ -97,7 +97,7 @@ class Input:
 
 
 class Node:
-    """A node of this part: its inputs, its class of nodes.py, its outputs."""
+    """Node of this part: its inputs, its class in nodes.py, and its outputs."""
 
     def __init__(self, layout, messages, classes):
         self.name = layout["name"]
@@ -114,7 +114,7 @@ class Node:
         self.instance.reset(**self.states)
 
     def step(self, n):
-        """The bytes of its outputs."""
+        """Runs the node, and returns the bytes of its outputs."""
         given = self.instance.step(n, **{item.name: item.take(n) for item in self.inputs})
         if not isinstance(given, dict):
             check(len(self.outputs) == 1, f"node `{self.name}` has {len(self.outputs)} outputs: step() returns a dict")
@@ -127,7 +127,7 @@ class Node:
 
 
 class Turn:
-    """A node at a tick: it runs here, or its messages come over the line."""
+    """Node at a tick: it runs here, or its messages come from the hub."""
 
     def __init__(self, layout, messages, nodes):
         self.rate, self.node = layout["rate"], nodes.get(layout["node"])
@@ -142,7 +142,7 @@ class Turn:
 
 
 class Part:
-    """The timetable of part.json, in lockstep with the hub."""
+    """Schedule of part.json, in lockstep with the hub."""
 
     def __init__(self, layout, classes):
         check(layout.get("format") == "eagerx part 1", "part.json is of another version of eagerx-gen")
@@ -164,7 +164,7 @@ class Part:
         self._begin_slot(link)
 
     def step(self, link):
-        """Up to the next tick of the environment."""
+        """Advances to the next tick of the environment."""
         for action in self.actions:
             action.receive(self.ticks[self.step_rate] - 1, link.read(action.bytes))
         while True:
@@ -193,11 +193,11 @@ def _run_session(link, part):
     has_begun = False
     while True:
         if command == RESET:
-            EPISODE.unpack(link.read(EPISODE.size))  # states that are sampled are of parts in C++
+            EPISODE.unpack(link.read(EPISODE.size))  # only parts in C++ have sampled states
             part.reset(link)
             has_begun = True
         elif has_begun and (command == STEP or (command == SAFE_STEP and part.safe_steps)):
-            link.read(1)  # how late it is: for the program that has the agent
+            link.read(1)  # lateness, which only a program with the agent uses
             part.step(link)
         elif command == FINISH:
             link.write(REPORT.pack(0, link.damaged) + NO_COUNTS)
@@ -207,7 +207,7 @@ def _run_session(link, part):
 
 
 def serve(port, layout, classes):
-    """Serves one hub after the other, until the line is over."""
+    """Serves one hub after the other, until the connection ends."""
     major, minor = (int(text) for text in layout["runtime"].split("."))
     part = Part(layout, classes)
     link = PartLink(port, int(layout["hash"], 16), major * 256 + minor, layout["payload"]["to_part"],
@@ -238,7 +238,7 @@ def read_options(layout, folder):
 
 
 def open_line(options):
-    """The line that the options say; an OSError or a KeyProblem if there is none."""
+    """Opens the connection that the options specify. Raises OSError or KeyProblem on failure."""
     if options.key is not None and not is_tcp_address(options.listen or "unix:"):
         raise KeyProblem(f"`--key {options.key}` does nothing: it is for TCP, and serial lines and unix sockets need "
                          "none\nhelp: leave it out")
@@ -248,7 +248,7 @@ def open_line(options):
 
 
 def run(port, address, layout, classes):
-    """Serves until the line is over. Returns the exit code."""
+    """Serves until the connection ends. Returns the exit code."""
     try:
         serve(port, layout, classes)
     except LinkForged as problem:
@@ -264,7 +264,7 @@ def run(port, address, layout, classes):
 
 
 def main(classes, folder):
-    """The program of a part: nodes by name → their classes, and the folder of part.json. Returns the exit code."""
+    """Program of a part: `classes` maps node names to classes, `folder` contains part.json. Returns the exit code."""
     layout = read_layout(folder)
     options = read_options(layout, folder)
     address = options.listen or options.link

@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-// Runs a module of target wasm: node run.js MODULE.wasm [OPTION...]. The options are those of the other targets.
+// Runs a module of target wasm: node run.js MODULE.wasm [OPTION...]. Its options are those of the other targets.
 "use strict";
 const fs = require("fs");
 const {Simulation, kDrivers} = require("./simulation.js");
@@ -27,7 +27,7 @@ const kHelp = `Options (defaults in brackets):
   --help            this text
 `;
 
-/** {steps, episodes, seed, environment, agent, sets}; numbers as BigInt. */
+/** Options as {steps, episodes, seed, environment, agent, sets}; numbers are BigInts. */
 function parse(words) {
   const options = {episodes: 1n, seed: 1n, environment: 0n, sets: []};
   const most = {steps: kMost64, episodes: kMost32, seed: kMost64, environment: kMost32};
@@ -59,7 +59,7 @@ function wrong(word, value) {
           "[--set NAME=VALUE] [--hash] [--time]");
 }
 
-/** NAME=VALUE,… or NAME=VALUE,…@STEP as {first, values, step}. */
+/** Parses NAME=VALUE,… or NAME=VALUE,…@STEP into {first, values, step}. */
 function settingOf(text, simulation) {
   const {about, statesLow, statesHigh} = simulation,
                            [, name, list, at] = /^([^=]+)=([^@]+)(?:@(\d{1,19}))?$/.exec(text) || [];
@@ -96,7 +96,7 @@ async function load(path) {
   }
 }
 
-/** The agent of the run. */
+/** Agent of the run. */
 function agentOf(options, about) {
   const agent = options.agent || about.agent;
   if (agent === "csv")

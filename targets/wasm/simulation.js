@@ -1,13 +1,13 @@
-// A simulation that eagerx-gen has made for target wasm, for JavaScript. The same file is part of pages of
-// `eagerx-gen report --simulate` and runs in Node.
+// JavaScript interface to a simulation that eagerx-gen generates for target wasm. This file runs in Node, and is part
+// of the pages of `eagerx-gen report --simulate`.
 "use strict";
 
-/** What decides on actions; `hand`: the numbers of `actions`. */
+/** Sources of actions; `hand`: the numbers in `actions`. */
 const kDrivers = ["policy", "zero", "random", "hand"];
-/** Of one call of a module. */
+/** Maximum in one call of a module. */
 const kMostSteps = 2n ** 32n - 1n;
 
-/** Rows of numbers, and the list in what a module says of itself that they follow. */
+/** Rows of numbers, each with the list in the module's description that defines its columns. */
 const kRows = {
   actions: "actions",
   actions_low: "actions",
@@ -22,10 +22,10 @@ const kRows = {
 const kCalls = [
   "check", "describe", "begin", "reset", "tune", "step", "ended", "hash", "picture", "counts", ...Object.keys(kRows)
 ];
-/** Bytes of a text, and of what a module imports by name. */
+/** Limits of a text in bytes, and of the number of imports. */
 const kLongestText = 1 << 24, kMostImports = 1000;
 
-/** Throws Error unless `exports` has all that a module of eagerx-gen has. */
+/** Throws Error unless `exports` has all functions and the memory of a module of eagerx-gen. */
 function checkExports(exports) {
   const missing = kCalls.find((name) => typeof exports[`eagerx_${name}`] !== "function");
   if (missing) throw new Error(`this is no module that eagerx-gen has made: it has no function eagerx_${missing}`);
@@ -33,7 +33,7 @@ function checkExports(exports) {
     throw new Error("this is not a module that eagerx-gen has made: it has no memory");
 }
 
-/** What a module says of itself. Throws Error unless it is that, and has room in its memory. */
+/** Parses the description of a module. Throws Error if it is malformed or does not fit into the memory. */
 function readAbout(text, memoryBytes) {
   const wrong = (what) => new Error(`this is no module that eagerx-gen has made: ${what}`);
   let about;
@@ -67,13 +67,13 @@ function readAbout(text, memoryBytes) {
 }
 
 class Simulation {
-  /** Of the bytes of a module. Throws Error if this machine's results would differ. */
+  /** Instantiates a module from its bytes. Throws Error if results on this machine would differ. */
   static async of(bytes) {
     const module = await WebAssembly.compile(bytes);
-    // Without a prototype: a module may import from `__proto__`.
+    // The object has no prototype because a module may import from `__proto__`.
     const imports = Object.create(null), names = WebAssembly.Module.imports(module);
     if (names.length > kMostImports) throw new Error(`a module that imports ${names.length} functions is none of ours`);
-    // The few that there may be are called where a program would abort.
+    // A module calls its few imports only where a program would abort.
     for (const {module: from, name} of names) {
       imports[from] = imports[from] || Object.create(null);
       imports[from][name] = () => {
@@ -94,9 +94,9 @@ class Simulation {
     ][this.calls.eagerx_check()];
     if (problem) throw new Error(problem);
     /**
-       {graph, engine, rate: [num, den], agent, policy, steps, render, actions, states, tunable, messages, outcome}.
-        `tunable` has names of states that tune() sets; actions, states, messages and outcome are lists of {name, dtype,
-        first, numbers, messages}: places in the rows of these names.
+     * Description of the module: {graph, engine, rate: [num, den], agent, policy, steps, render, actions, states,
+     * tunable, messages, outcome}. `tunable` lists the states that tune() sets. actions, states, messages and outcome
+     * are lists of {name, dtype, first, numbers, messages}, which locate the columns in the rows of these names.
      */
     this.about = readAbout(this.text(this.calls.eagerx_describe()), this.calls.memory.buffer.byteLength);
     const row = (name) => {
@@ -106,13 +106,13 @@ class Simulation {
     this.actions = row("actions");
     this.actionsLow = row("actions_low");
     this.actionsHigh = row("actions_high");
-    /** Of the next episodes; NaN: sampled as the graph says. */
+    /** Values for the next episodes; NaN: sampled as the graph specifies. */
     this.settings = row("settings");
-    /** What the episode began with. */
+    /** Initial values of the episode. */
     this.states = row("states");
     this.statesLow = row("states_low");
     this.statesHigh = row("states_high");
-    /** The newest message of each channel. */
+    /** Newest message of each channel. */
     this.messages = row("messages");
     this.outcome = row("outcome");
   }
@@ -123,32 +123,33 @@ class Simulation {
     return new TextDecoder().decode(bytes.subarray(0, end));
   }
 
-  /** A run begins, as a program that has just been started. `watched`: `messages` and pictures are wanted. */
+  /** Begins a run, in the state of a program that has just started. `watched` enables `messages` and pictures. */
   begin(seed, {environment = 0, watched = false} = {}) {
     this.calls.eagerx_begin(BigInt.asUintN(64, BigInt(seed)), environment, watched ? 1 : 0);
   }
 
-  /** The next episode begins. False if one of `settings` is outside of its space: then nothing happens. */
+  /** Begins the next episode. Returns false and does nothing if a value in `settings` is outside of its space. */
   reset() {
     return this.calls.eagerx_reset() === 1;
   }
 
   /**
-     Sets what `settings` has of `about.tunable`, before the next step. False if one of `settings` is outside of its
-     space: then nothing happens.
+   * Applies the values of `about.tunable` in `settings` before the next step. Returns false and does nothing if a value
+   * in `settings` is outside of its space.
    */
   tune() {
     return this.calls.eagerx_tune() === 1;
   }
 
-  /** At most `steps` steps, fewer if the graph's task ends the episode; how many it were. */
+  /** Runs at most `steps` steps, fewer if the graph's task ends the episode. Returns the number of steps. */
   step(driver, steps = 1) {
     return this.calls.eagerx_step(kDrivers.indexOf(driver), steps);
   }
 
   /**
-     Whole episodes of at most `steps` steps (BigInt, as what comes back), reset included: how many steps they were.
-     `sets`: [{first, values, step}] places in `settings`, and before which step of each episode, null: at its reset.
+   * Runs whole episodes of at most `steps` steps, including resets. Returns the total number of steps; both numbers are
+   * BigInts. `sets`: [{first, values, step}] are values for `settings` from index `first` on, set before that step of
+   * each episode or, if it is null, at its reset.
    */
   episodes(driver, episodes, steps, sets = []) {
     const least = (a, b) => a < b ? a : b;
@@ -166,7 +167,7 @@ class Simulation {
     }
     return done;
   }
-  /** Makes `settings` what is set at a step. False: nothing. */
+  /** Fills `settings` with the values to set before a step. Returns false if there are none. */
   take(sets, step) {
     const now = sets.filter((set) => set.step === step);
     this.settings.fill(NaN);
@@ -174,24 +175,24 @@ class Simulation {
     return now.length > 0;
   }
 
-  /** Whether the graph's task has ended the episode. */
+  /** True if the graph's task has ended the episode. */
   get ended() {
     return this.calls.eagerx_ended() === 1;
   }
 
-  /** Of all messages since begin(): the one that `--hash` prints. */
+  /** Hash of all messages since begin(), equal to the one that `--hash` prints. */
   get hash() {
     return `0x${BigInt.asUintN(64, this.calls.eagerx_hash()).toString(16).padStart(16, "0")}`;
   }
 
-  /** What `render:` shows as bytes [height][width][4]: valid until the next call; null if there is none. */
+  /** Picture of `render:` as bytes [height][width][4], valid until the next call; null if there is none. */
   picture(width, height) {
     const pointer = this.calls.eagerx_picture(width, height);
     if (!pointer) return null;
     return new Uint8ClampedArray(this.calls.memory.buffer, pointer, 4 * width * height);
   }
 
-  /** What guards and nodes have counted that is not 0: {name: count}. */
+  /** Counts of guards and nodes that are not 0: {name: count}. */
   get counts() {
     return JSON.parse(this.text(this.calls.eagerx_counts()));
   }

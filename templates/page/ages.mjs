@@ -1,4 +1,4 @@
-// How old data of a sensor are at an actuator, and the way that they take.
+// Ages of sensor data at actuators, and the paths that the data take.
 import {ageWay, data, inputOf, nodes} from "./data.mjs";
 import {add, bar, button, card, el, pairs, table} from "./elements.mjs";
 import {showInGraph} from "./graph.mjs";

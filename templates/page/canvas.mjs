@@ -1,4 +1,4 @@
-// Colours of the page, and canvases.
+// Colors of the page, and preparation of canvases.
 
 export function isDark() {
   return document.documentElement.dataset.theme === "dark";
@@ -6,12 +6,14 @@ export function isDark() {
 export function colour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
 }
-/** Of episodes, rates and elements. */
+/** Color of an episode, a rate class or an element, by its number. */
 export function shade(number) {
   return colour(`c${number % 8}`);
 }
 
-/** Fits the canvas to its place on the screen and clears it; null if it is not to be seen. */
+/**
+ * Fits the canvas to its place on the screen and clears it. Returns its context, or null if it is too small to be seen.
+ */
 export function prepare(canvas, width, height) {
   if (width < 2 || height < 2) return null;
   const scale = window.devicePixelRatio || 1;
@@ -30,7 +32,7 @@ export function prepare(canvas, width, height) {
   return context;
 }
 
-/** Calls `draw` once before the next frame, however often it is asked to. */
+/** Returns a function that calls `draw` once before the next frame, however often it is called. */
 export function onFrame(draw) {
   let asked = false;
   return () => {

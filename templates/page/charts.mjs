@@ -1,4 +1,4 @@
-// Charts of numbers over numbers: axes, lines with what they stand for, dots, and what is under the pointer.
+// Line charts: axes, lines with a legend, dots, and a readout at the pointer.
 import {colour, onFrame, prepare, shade} from "./canvas.mjs";
 import {el} from "./elements.mjs";
 import {count, short, stepOf} from "./numbers.mjs";
@@ -7,10 +7,10 @@ const chartRoom = {
   left: 64,
   right: 14,
   top: 8,
-  bottom: 36  // numbers, and what they are
+  bottom: 36  // tick labels, and the title of the axis
 };
 
-/** {right, low, high} of all that a chart shows: from 0 on to the right. */
+/** {right, low, high}: range of a chart. The horizontal axis begins at 0. */
 export function chartRange({lines, labels, unit}) {
   let right = 1, low = Infinity, high = -Infinity;
   for (const line of lines) {
@@ -27,7 +27,7 @@ export function chartRange({lines, labels, unit}) {
   return {right, low: low - room, high: high + room};
 }
 
-/** The place of a number in pixels, to the right and down. Labels stand in the middle of their parts. */
+/** Conversion of values to pixels from the top left corner. Labels are centered in their intervals. */
 function chartPlaces({labels}, {right, low, high}, width, height) {
   const {left, top, bottom} = chartRoom, wide = width - left - chartRoom.right, high_px = height - top - bottom;
   return {
@@ -36,7 +36,7 @@ function chartPlaces({labels}, {right, low, high}, width, height) {
   };
 }
 
-/** 250000 as "250 k". */
+/** Short form of a large number: "250 k" for 250000. */
 function largeNumber(value) {
   const [size, unit] = value >= 1e6 ? [1e6, " M"] : value >= 1e4 ? [1e3, " k"] : [1, ""];
   return short(value / size, 4) + unit;
@@ -74,7 +74,7 @@ function paintAxes(context, chart, range, {x, y}, width, height) {
 
 function paintLine(context, line, {x, y}, fill) {
   context.strokeStyle = context.fillStyle = fill;
-  if (line.dots || line.x.length === 1) {  // a line of one point would not be seen
+  if (line.dots || line.x.length === 1) {  // a line of one point would be invisible
     line.x.forEach((value, i) => {
       context.beginPath();
       context.arc(x(value), y(line.y[i]), 3, 0, 2 * Math.PI);
@@ -97,8 +97,8 @@ function paintLine(context, line, {x, y}, fill) {
 }
 
 /**
- * `chart`: {lines: [{x, y, low?, high?, dots?}], unit, over?, labels?}: `over` names the axis to the right.
- * `cursor`: where the pointer is, in its numbers.
+ * `chart`: {lines: [{x, y, low?, high?, dots?}], unit, over?, labels?}, where `over` is the title of the horizontal
+ * axis. `cursor`: position of the pointer on that axis, in its unit.
  */
 export function paintChart(context, chart, width, height, cursor = null) {
   const range = chartRange(chart), places = chartPlaces(chart, range, width, height);
@@ -113,14 +113,14 @@ export function paintChart(context, chart, width, height, cursor = null) {
   context.stroke();
 }
 
-/** The point of a line at or before `at`, or its first one. */
+/** Index of the last point of a line at or before `at`, or of its first point. */
 export function chartPointAt(line, at) {
   let found = 0;
   while (found + 1 < line.x.length && line.x[found + 1] <= at) ++found;
   return found;
 }
 
-/** An article with the chart, what its lines are and, at the pointer, their numbers; `draw()` paints it. */
+/** Article with the chart, its legend and the values at the pointer. `draw()` paints it. */
 export function chartBox(chart, over, height = 190) {
   const canvas = el("canvas", {role: "img", "aria-label": `${chart.name} over ${over}`});
   let cursor = null;

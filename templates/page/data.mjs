@@ -1,8 +1,8 @@
-// What the generator has put into the page, and what is known of it, found fast. All of it comes from foreign files:
-// it becomes text, never markup.
+// Data that the generator embeds in the page, with indices for fast lookup. All of it comes from untrusted files, so it
+// becomes text, never markup.
 import {parse} from "./numbers.mjs";
 
-// What a page has that is served before its graph was good for the first time.
+// Data of a page that is served before its graph is valid for the first time.
 const kNoGraph = {
   ...{
     info: {name: "", engine: "none", ages: []},

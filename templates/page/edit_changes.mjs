@@ -1,6 +1,6 @@
-// Which lines of a text the last change made or changed.
+// Lines of a text that the last change added or modified.
 
-/** The length of the longest common subsequence of every beginning of `a` and `b`. */
+/** Length of the longest common subsequence of each pair of suffixes of `a` and `b`. */
 function commonLengths(a, b) {
   const lengths = Array.from({length: a.length + 1}, () => new Uint16Array(b.length + 1));
   for (let i = a.length - 1; i >= 0; --i)
@@ -9,9 +9,9 @@ function commonLengths(a, b) {
   return lengths;
 }
 
-const kMostLines = 1000;  // of a change, for which the least difference is looked for
+const kMostLines = 1000;  // length of a change up to which the minimal difference is computed
 
-/** {changed: numbers of lines of `after` (from 0) that are new, removed: lines before which some are gone}. */
+/** {changed: indices of new lines in `after`, removed: indices of lines in `after` before which lines were removed}. */
 export function changedLines(before, after) {
   const [a, b] = [before.split(/\r?\n/), after.split(/\r?\n/)];
   let start = 0, end = 0;
@@ -36,7 +36,7 @@ export function changedLines(before, after) {
       ++i;
     }
   }
-  // What became of a line that was changed is to be seen already.
+  // A modified line is already highlighted, so a removal next to it needs no mark.
   for (const line of removed)
     if (changed.has(line) || changed.has(line - 1)) removed.delete(line);
   return {changed, removed};

@@ -1,25 +1,25 @@
-// The client of the server of `eagerx-gen serve`: one request after the other, so that an edit always knows
-// the newest revision. generator/tools/serve/README.md has the protocol.
+// Client of the server of `eagerx-gen serve`. It sends one request at a time, so that each edit refers to the newest
+// revision. generator/tools/serve/README.md describes the protocol.
 
 const kJson = {
   "Content-Type": "application/json"
 };
-const kPatience_ms = 2000;  // until a server that did not answer is asked again
+const kPatience_ms = 2000;  // delay before the next request to a server that did not answer
 
 export class EditClient {
-  /** `changed(why)` after each new state; `ask` is fetch, or what a test has in its place. */
+  /** `changed(why)` is called after each new state. `ask` is fetch, or its replacement in a test. */
   constructor(changed, ask = (address, options) => fetch(address, options)) {
     Object.assign(this, {changed, ask, state: null, before: "", waiting: Promise.resolve(), lost: false});
   }
 
-  /** After everything that was asked before. What fails does not stop what follows. */
+  /** Runs an action after all earlier ones. An action that fails does not stop those that follow. */
   inTurn(action) {
     const done = this.waiting.then(action);
     this.waiting = done.catch(() => {});
     return done;
   }
 
-  /** {status, body}. Status 0: no answer. */
+  /** {status, body} of a response. Status 0: no response. */
   async call(address, body) {
     const options = body === undefined ? {} : {method: "POST", headers: kJson, body: JSON.stringify(body)};
     try {
@@ -36,7 +36,7 @@ export class EditClient {
   take(state, why) {
     const known = this.state;
     if (known && state.page === undefined) state.page = known.page;
-    // The result of the last change of the text, shown next to it.
+    // Text before its last change, to highlight the difference.
     if (known && known.text !== state.text) this.before = known.text;
     if (!known) this.before = state.text;
     this.state = state;
@@ -56,7 +56,7 @@ export class EditClient {
     });
   }
 
-  /** "" when it is done, else what to tell. */
+  /** "" on success, otherwise a message for the user. `done` is the message that success leaves. */
   post(name, body, done = "") {
     return this.inTurn(async () => {
       const answer = await this.call(`./${name}`, {revision: this.state.revision, ...body});
@@ -82,7 +82,7 @@ export class EditClient {
     return this.post("redo", {});
   }
 
-  /** Places of boxes; they are no revision. */
+  /** Saves positions of boxes, which do not create a revision. */
   places(places) {
     return this.inTurn(() => {
       this.state.layout = places;
@@ -90,14 +90,14 @@ export class EditClient {
     });
   }
 
-  /** Waits for the next change that is not this page's own. False: no answer. */
+  /** Waits for the next change that this page did not make. Returns false if there is no response. */
   async follow() {
     const {status, body} = await this.call(`./changes?revision=${this.state.revision}`);
     const wasLost = this.lost;
     this.lost = status !== 200;
     if (this.lost !== wasLost) this.changed(this.lost ? body.error ?? `status ${status}` : "");
     if (this.lost) return false;
-    await this.inTurn(() => {});  // an edit of this page may be on its way
+    await this.inTurn(() => {});  // an edit of this page may be in progress
     if (body.revision !== this.state.revision)
       await this.load("The file was changed on the disk: this is what it says now.");
     return true;

@@ -1,9 +1,9 @@
-// Boxes in columns along the way of messages, with lanes between them for wires that pass a column.
+// Layout of boxes in columns along the flow of messages, with lanes between them for wires that pass a column.
 import {kBoxGap, kColumnGap, portPlace, sizeOf} from "./edit_sizes.mjs";
 
 const kLaneHeight = 16;
 
-/** How many wires lie before each box at most; wires that skip, or would close a circle, do not count. */
+/** Column of each box: the longest chain of wires to it, without wires that skip or would close a cycle. */
 function columnsOf(model) {
   const columns = model.boxes.map(({section}) => (section === "actions" ? 0 : 1)), doing = new Set(), done = new Set();
   const follow = (b) => {
@@ -22,12 +22,12 @@ function columnsOf(model) {
   return columns;
 }
 
-/** Whether a wire goes from left to right. */
+/** True if a wire goes from left to right. */
 export function isForward(wire, columns) {
   return columns[wire.from] < columns[wire.to];
 }
 
-/** What lies in each column: boxes, and lanes of wires that go past it. */
+/** Items of each column: boxes, and lanes of wires that pass it. */
 function itemsOf(model, columns) {
   const items = Array.from({length: Math.max(...columns) + 1}, () => []);
   model.boxes.forEach((box, b) => items[columns[b]].push({box: b, ...sizeOf(box)}));
@@ -39,7 +39,7 @@ function itemsOf(model, columns) {
   return items;
 }
 
-/** The middle of what comes from the left into an item; null: nothing does. */
+/** Vertical position that aligns an item with what enters it from the left; null if nothing does. */
 function wantedY(item, model, columns, columnOfLanes, placed) {
   const heightAt = (w, column) => {
     const wire = model.wires[w];
@@ -59,7 +59,7 @@ function wantedY(item, model, columns, columnOfLanes, placed) {
   return ys.length ? ys.reduce((sum, y) => sum + y, 0) / ys.length : null;
 }
 
-/** Heights of one column: each item as near to what it wants as the others let it. */
+/** Vertical positions in one column: each item is as close to its wanted position as the others allow. */
 function stack(items) {
   const known = items.filter(({wanted}) => wanted !== null);
   const middle =
@@ -71,13 +71,15 @@ function stack(items) {
     item.y = Math.max(item.wanted ?? (y === -Infinity ? middle - item.height / 2 : y), y);
     y = item.y + item.height + (item.wire === undefined ? kBoxGap : 6);
   }
-  // What was pushed down by others goes up again, all of the column together.
+  // Compensates for items that others pushed down, by moving the whole column up.
   const pushed = known.reduce((sum, item) => sum + item.y - item.wanted, 0) / Math.max(1, known.length);
   const free = items.every(({wanted}) => wanted === null) ? (y - items[0].y - kBoxGap) / 2 - items[0].height / 2 : 0;
   for (const item of items) item.y = Math.round(item.y - pushed - free);
 }
 
-/** {places: of boxes by their names, lanes: of each wire the points [left, right, y] at the columns that it passes}. */
+/**
+ * {places: positions of boxes by name, lanes: for each wire, points [left, right, y] at the columns that it passes}.
+ */
 export function columnLayout(model) {
   if (!layouts.has(model)) layouts.set(model, newLayout(model));
   return layouts.get(model);

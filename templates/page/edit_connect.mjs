@@ -1,4 +1,4 @@
-// The form of a new connection: from where, to where, and what lies between.
+// Form for a new connection: sender, receiver, and settings of the connection.
 import {portTitle} from "./edit_drawing.mjs";
 import {field, parameterFields, parametersOf} from "./edit_forms.mjs";
 import {connectEdits, connectionKeys, endNameFor, fitOf, partnersOf, sideOf} from "./edit_ports.mjs";
@@ -18,7 +18,7 @@ export function portCalled(address) {
 
 const kFitWords = ["needs a processor", "", "fits"];
 
-/** A field in which one of the ports is chosen, those that fit first; `known` if it is said already. */
+/** Field for choosing a port, those that fit listed first. `known` is the port if it is already given. */
 function portField(side, known, partner) {
   const label = side === "outputs" ? "from" : "to";
   const every = partner ? partnersOf(editing.model, partner, side) :
@@ -37,7 +37,7 @@ function portField(side, known, partner) {
   });
 }
 
-/** What a new action takes its bounds from. */
+/** Field for the input whose bounds a new action copies. */
 function boundsField() {
   const known =
       editing.model.boxes.flatMap(({kind, inputs}) => (kind === "object" ? inputs : [])).filter(({unsaid}) => !unsaid);
@@ -83,7 +83,7 @@ function submitConnection(form) {
   change([...edits, ...connectEdits(editing.model, from, to, keys)], {from, to});
 }
 
-/** What the form says of the two ends, and the name of the one that is new. */
+/** Shows what is known about the two ends, and a field for the name of a new action or observation. */
 function showEnds(form) {
   const from = form.from.text(), to = form.to.text();
   const section = from === "actions" ? from : to === "observations" ? to : "";
@@ -107,7 +107,7 @@ function nameFault(form, text) {
   return box[sideOf(section)].some(({name}) => name === text) ? "there is one of this name" : "";
 }
 
-/** {from, to}: addresses, "" where it is to be chosen; `section`: the other end is a new action or observation. */
+/** {from, to}: addresses, or "" if the user chooses; `section`: the other end is a new action or observation. */
 export function askConnection({from, to, section}) {
   const form = {parameters: []};
   form.from = portField("outputs", section === "actions" ? "actions" : from, portCalled(to));

@@ -1,9 +1,9 @@
-// The learning curve of a training while it grows.
+// Learning curve of a training in progress.
 import {prepare} from "./canvas.mjs";
 import {paintChart} from "./charts.mjs";
 import {el} from "./elements.mjs";
 
-/** [steps, value] of a column of the curve that can be plotted, by the first of `names` that exists. */
+/** Points [steps, value] of the first column in `names` that the curve has, without values that cannot be plotted. */
 export function curveOf(columns, rows, names) {
   const x = columns.findIndex((name) => /step/.test(name)),
         y = names.map((name) => columns.indexOf(name)).find((at) => at >= 0);
@@ -16,7 +16,7 @@ const curveCanvas = el("canvas", {role: "img", "aria-label": "Learning curve: re
 export const curveBox =
     el("div.curve", {hidden: true}, curveCanvas,
        el("small.block", {}, el("i.mean"), "return", el("i.evaluation"), "return without noise, over steps"));
-/** Return over steps of what trains, of its table as it grows. */
+/** Plots the return over the steps of a training in progress. */
 export function drawCurve(run) {
   const {columns, rows} = run;
   const lines = [curveOf(columns, rows, ["return"]), curveOf(columns, rows, ["eval_return"])];

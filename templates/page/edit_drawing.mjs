@@ -1,4 +1,4 @@
-// The drawing that is edited: boxes with ports, wires, what is selected, what is wrong.
+// Drawing in the editor: boxes with ports, wires, the selection, and problems.
 import {onFrame} from "./canvas.mjs";
 import {extentOf} from "./edit_layout.mjs";
 import {drawnAs} from "./edit_model.mjs";
@@ -11,7 +11,7 @@ export const editView = {
   zoom: 1,
   x: 0,
   y: 0,
-  moved: false,     // by somebody: then it stays
+  moved: false,     // by the user: then the view stays in place
   dragging: false,  // a box
   boxElements: [],
   wireElements: []
@@ -29,7 +29,7 @@ export const editSvg =
     },
         svg("g", {class: "all"}, drawn, looseWire));
 
-/** Where a port is in the drawing. */
+/** Position of a port in the drawing. */
 export function portPoint(b, side, number) {
   const place = editing.places[b], [x, y] = portPlace(place, side, number);
   return [place.x + x, place.y + y];
@@ -50,7 +50,7 @@ function portElement(box, b, side, number) {
   return element;
 }
 
-/** "pendulum.u: float32 [1], V; voltage of the motor" */
+/** Description of a port, such as "pendulum.u: float32 [1], V; voltage of the motor". */
 export function portTitle(port, isMissing = false) {
   const space = [port.dtype, port.shape ? `[${port.shape.join(", ")}]` : "", port.unit].filter(Boolean).join(" ");
   return `${port.address}${space ? `: ${space}` : ""}${port.about ? `; ${port.about}` : ""}` +
@@ -82,7 +82,7 @@ function wireOfEdit(wire, w, d) {
   return element;
 }
 
-/** {error, warning} of boxes and wires: how many problems each has. */
+/** {error, warning}: number of problems of each box and each wire. */
 function faultsOf(model, problems) {
   const boxes = model.boxes.map(() => null), wires = model.wires.map(() => null);
   for (const problem of problems) {
@@ -123,7 +123,7 @@ export function placeEdit() {
 }
 export const placeEditSoon = onFrame(placeEdit);
 
-/** Where a place of the window is in the drawing. */
+/** Position of a pointer event in the drawing. */
 export function inDrawing({clientX, clientY}) {
   const box = editSvg.getBoundingClientRect();
   return [(clientX - box.left - editView.x) / editView.zoom, (clientY - box.top - editView.y) / editView.zoom];
@@ -151,7 +151,7 @@ export function zoomEdit(factor, at) {
   placeEditSoon();
 }
 
-/** Brings a box into the window if it is not. */
+/** Scrolls to a box that is outside the window. */
 export function revealBox(b) {
   const place = editing.places[b], box = editSvg.getBoundingClientRect();
   if (!place) return;

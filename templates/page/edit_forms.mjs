@@ -1,4 +1,4 @@
-// Fields of forms: made from manifests and from keys of the format, with its problem next to each.
+// Form fields generated from manifests and from keys of the format, each with its problem next to it.
 import {faultOf, flowText, limitsOf, parameterText} from "./edit_values.mjs";
 import {el} from "./elements.mjs";
 
@@ -19,8 +19,9 @@ function inputOfField({choices, value, empty, checked}) {
 }
 
 /**
- * A row of a form. {key: what it is called, label, about, limits, value, empty: what nothing means, choices: [[value,
- * text]], suggestions: [text], checked, fault(text): why not, changed(text)}. Has `key`, `text()` and `fault()`.
+ * Row of a form. {key: identifier of the field, label, about, limits, value, empty: meaning of an empty field, choices:
+ * [[value, text]], suggestions: [text], checked, fault(text): reason why the text is invalid, or "", changed(text)}.
+ * The row has `key`, `text()` and `fault()`.
  */
 export function field(properties) {
   const {key, label, about, limits, suggestions, fault = () => "", changed, checked, choices} = properties;
@@ -53,14 +54,14 @@ export function field(properties) {
   input.addEventListener("change", commit);
   input.addEventListener("keydown", (event) => {
     if (event.key === "Escape" && changed && !choices && checked === undefined) input.value = sent;
-    if (event.key === "Enter" && changed) commit();  // also what a new form was filled with
+    if (event.key === "Enter" && changed) commit();  // also commits the initial values of a new form
   });
   return Object.assign(row, {key, input, text, fault: look});
 }
 
 const required = (parameter) => parameter.default === undefined;
 
-/** The fields of an entity's parameters, those that are required first. `given`: what the file has. */
+/** Fields for the parameters of an entity, required ones first. `given`: values in the file. */
 export function parameterFields(entity, given = {}, changed = null) {
   const parameters = [...(entity?.config ?? [])].sort((a, b) => required(b) - required(a));
   return parameters.map((parameter) => {
@@ -83,12 +84,12 @@ export function parameterFields(entity, given = {}, changed = null) {
   });
 }
 
-/** A value of the file as a field shows it: texts as they are, everything else on one line. */
+/** Value of the file as a field shows it: strings unchanged, everything else on one line. */
 export function shownValue(value) {
   return typeof value === "string" ? value : flowText(value);
 }
 
-/** Numbers of JSON as texts, as the file's tree has them. */
+/** Converts numbers of JSON to strings, as in the tree of the file. */
 function jsonTexts(value) {
   if (Array.isArray(value)) return value.map(jsonTexts);
   if (value && typeof value === "object")
@@ -97,8 +98,8 @@ function jsonTexts(value) {
 }
 
 /**
- * The values of parameters' fields as YAML: what is empty has its default. Null if one is wrong; then it has the
- * focus.
+ * Values of parameter fields as YAML, without empty ones, which stand for the default. If one is invalid, focuses it
+ * and returns null.
  */
 export function parametersOf(entity, fields) {
   const wrong = fields.filter((one) => one.fault());
@@ -114,7 +115,7 @@ export function parametersOf(entity, fields) {
   return values;
 }
 
-/** Puts new content into `panel`, and the focus, with what is being typed, where it was. */
+/** Replaces the content of `panel`, but keeps the focus and the text that is being typed. */
 export function refill(panel, children) {
   const active = document.activeElement;
   const key = active?.dataset?.key, isHere = key && panel.contains(active);

@@ -1,4 +1,4 @@
-// What pointer and keys do in the drawing: move boxes, pull wires from port to port, go from box to box.
+// Pointer and keyboard input of the drawing: moves boxes, connects ports with wires, and navigates between boxes.
 import {askConnection} from "./edit_connect.mjs";
 import {
   drawEdit,
@@ -20,7 +20,7 @@ import {change, editing, keepPlaces, selectDrawn, selectedBox, selectedWire} fro
 const opposite = (side) => (side === "outputs" ? "inputs" : "outputs");
 const portAt = ({box, side, number}) => editing.model.boxes[box][side][number];
 
-let gesture = null;  // {kind: "box" | "wire" | "pan", from: [x, y] of the window, far, …}
+let gesture = null;  // {kind: "box" | "wire" | "pan", from: [x, y] in the window, far, …}
 
 function beginGesture(event) {
   if (event.button !== 0 || gesture) return;
@@ -35,7 +35,7 @@ function beginGesture(event) {
   }
 }
 
-/** Marks ports where the wire may end. */
+/** Highlights ports where the wire can end. */
 function showPartners(start) {
   const port = portAt(start), side = opposite(start.side);
   for (const element of editSvg.querySelectorAll("g.port")) {
@@ -121,7 +121,7 @@ function endGesture(event) {
   if (kind === "box") keepPlaces();
 }
 
-/** Deletes what is selected. */
+/** Deletes the selection. */
 export function removeSelected() {
   const b = selectedBox(), w = selectedWire(), {model} = editing;
   if (w >= 0) return change([{kind: "remove", path: ["connections", model.wires[w].number]}], null);
@@ -129,7 +129,7 @@ export function removeSelected() {
   return change([{kind: "remove", path: [model.boxes[b].section, model.boxes[b].name]}], null);
 }
 
-/** The nearest box in a direction. */
+/** Nearest box in a direction. */
 export function boxBeside(places, from, dx, dy) {
   if (from < 0) return 0;
   const middle = ({x, y, width, height}) => [x + width / 2, y + height / 2];
@@ -165,7 +165,7 @@ function arrowKey([dx, dy], isMoving) {
   revealBox(next);
 }
 
-/** Asks what the selected box shall be connected to. */
+/** Opens the form that connects the selected box. */
 export function connectSelected() {
   const box = editing.model.boxes[selectedBox()];
   const output = box?.outputs.find(({used}) => !used) ?? box?.outputs[0], input = box?.inputs.find(({taken}) => !taken);

@@ -1,4 +1,4 @@
-// The form of the graph itself: name, rate, engine, agent, task, and every other key of the top level.
+// Form of the graph itself: name, rate, engine, agent, task, and all other top-level keys.
 import {field, parameterFields} from "./edit_forms.mjs";
 import {keyField, mapFields, part, setOrRemove} from "./edit_map_form.mjs";
 import {change, editing} from "./edit_store.mjs";
@@ -57,13 +57,13 @@ const kAgents = [
 
 const kIsFile = new Set(["policy", "csv"]);
 
-/** "zero", "random", "policy" or "csv". */
+/** Kind of agent: "zero", "random", "policy" or "csv". */
 export function kindOfAgent(agent) {
   if (agent && typeof agent === "object") return agent.policy !== undefined ? "policy" : "csv";
   return agent ?? "";
 }
 
-/** The field of the agent's file: of a policy, or of actions. */
+/** Field for the agent's file: a policy, or recorded actions. */
 function agentFile(kind, agent) {
   const write = (text) => {
     const value = yamlText(text.trim());

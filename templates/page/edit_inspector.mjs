@@ -1,4 +1,4 @@
-// The form of what is selected: an object, a node, an end of the environment, a connection, or the graph.
+// Form of the selection: an object, a node, the actions or observations, a connection, or the graph.
 import {askConnection, processorField} from "./edit_connect.mjs";
 import {field, parameterFields, refill, shownValue} from "./edit_forms.mjs";
 import {connectSelected, removeSelected} from "./edit_gestures.mjs";
@@ -39,7 +39,7 @@ function rename(path, name) {
   return change([{kind: "rename", path, name}], selected);
 }
 
-/** What is connected to a port, and a button for more. */
+/** Connections of a port, and a button that adds one. */
 function portRow(b, side, number) {
   const {model} = editing, port = model.boxes[b][side][number], isOut = side === "outputs";
   const wires = model.wires.filter(
@@ -70,7 +70,7 @@ function portList(b, side, title) {
 const kDraws =
     ["uniform", "{value: 0.0}", "{uniform: {low: -1, high: 1}}", "{normal: {mean: 0, std: 1}}", "{choice: [0, 1]}"];
 
-/** Bounds and unit of a state, as far as they are short. */
+/** Bounds and unit of a state, without bounds that are long. */
 function stateRange({low, high, unit}) {
   const isShort = low !== undefined && high !== undefined && [low].flat().length <= 3;
   return [isShort ? bounds({low: [low].flat(), high: [high].flat()}) : "", unit].filter(Boolean).join(" ");
@@ -191,7 +191,7 @@ function showForm(what) {
   if (what === "notice" || what === "library") return;
   const {selected} = editing, b = selectedBox(), w = selectedWire();
   if (selected?.adding) {
-    if (what === "state" && inspectPanel.querySelector("form")) return;  // what is being typed stays
+    if (what === "state" && inspectPanel.querySelector("form")) return;  // keeps what is being typed
     const {form, begin} = addForm(selected);
     inspectPanel.replaceChildren(form);
     return begin();

@@ -1,11 +1,11 @@
-// Places of boxes: what somebody chose, and for the rest columns along the way of messages.
+// Positions of boxes: those that the user chose, and columns along the flow of messages for the rest.
 import {columnLayout} from "./edit_columns.mjs";
 import {kBoxGap, kBoxHead, kColumnGap, kPortHeight, kPortReach, portPlace, sizeOf} from "./edit_sizes.mjs";
 
 const overlaps = (a, b) =>
     a.x < b.x + b.width + 10 && b.x < a.x + a.width + 10 && a.y < b.y + b.height + 10 && b.y < a.y + a.height + 10;
 
-/** `wanted` moved down until it lies over none of `others` ({x, y, width, height}). */
+/** `wanted`, moved down until it overlaps none of `others` ({x, y, width, height}). */
 export function freePlace(wanted, others) {
   const place = {...wanted};
   for (let tries = 0; tries < 1000; ++tries) {
@@ -17,8 +17,8 @@ export function freePlace(wanted, others) {
 }
 
 /**
- * Boxes with {x, y, width, height}. `chosen` are places by names: boxes that have one keep it, others get the place of
- * their column where nothing lies yet.
+ * Boxes with {x, y, width, height}. `chosen`: positions by name. Boxes that have one keep it; others get their position
+ * in the columns, moved to free space.
  */
 export function placedBoxes(model, chosen) {
   const isPlaced = (box) => Array.isArray(chosen[box.name]);
@@ -26,7 +26,7 @@ export function placedBoxes(model, chosen) {
   const placed = new Map();
   const put = (box, [x, y]) => placed.set(box, {...sizeOf(box), x, y});
   for (const box of model.boxes.filter(isPlaced)) put(box, chosen[box.name]);
-  // What the agent sees is last in the list and right of everything.
+  // Observations are last in the list, and belong to the right of everything else.
   for (const box of model.boxes.filter((one) => !isPlaced(one))) {
     const [x, y] = fallback[box.name], others = [...placed.values()];
     const right =
@@ -37,7 +37,9 @@ export function placedBoxes(model, chosen) {
   return model.boxes.map((box) => placed.get(box));
 }
 
-/** What lies at a point: {box, side, number} a port, {box}, or null. Boxes that are drawn last lie above. */
+/**
+ * Element at a point: {box, side, number} for a port, {box} for a box, or null. Boxes that are drawn last are on top.
+ */
 export function hitAt(model, places, x, y) {
   for (let b = places.length - 1; b >= 0; --b) {
     const place = places[b], box = model.boxes[b];
@@ -51,17 +53,17 @@ export function hitAt(model, places, x, y) {
   return null;
 }
 
-/** Where a wire would end if it were let go here: the port, or of a row the port of that row on `side`. */
+/** Port at which a wire ends if it is dropped here: a port on `side`, or the one in the row under the pointer. */
 export function targetAt(model, places, side, x, y) {
   const hit = hitAt(model, places, x, y);
   if (!hit || hit.number !== undefined) return hit && hit.side === side ? hit : null;
   const number = Math.floor((y - places[hit.box].y - kBoxHead + 4) / kPortHeight);
   const isEnd = model.boxes[hit.box].section === (side === "outputs" ? "actions" : "observations");
   if (number >= 0 && number < model.boxes[hit.box][side].length) return {box: hit.box, side, number};
-  return isEnd ? {box: hit.box, side, number: -1} : null;  // a new one
+  return isEnd ? {box: hit.box, side, number: -1} : null;  // a new action or observation
 }
 
-/** {x, y, width, height} of all boxes together. */
+/** Bounding box {x, y, width, height} of all boxes. */
 export function extentOf(places) {
   const left = Math.min(...places.map(({x}) => x)), top = Math.min(...places.map(({y}) => y));
   const right = Math.max(...places.map(({x, width}) => x + width));

@@ -1,4 +1,4 @@
-// The library next to the drawing: what can be added, found by words; and the form of what is being added.
+// Library panel: search for entities that can be added, and the form that adds one.
 import {editSvg, inDrawing} from "./edit_drawing.mjs";
 import {field, parameterFields, parametersOf} from "./edit_forms.mjs";
 import {takenNames} from "./edit_model.mjs";
@@ -8,7 +8,7 @@ import {button, el} from "./elements.mjs";
 
 const kAddable = [["object", "Objects"], ["node", "Nodes"], ["reset node", "Reset nodes"]];
 
-/** How well an entity answers to words: 2 by its id, 1 by its summary, 0 by its description, -1 not at all. */
+/** Rank of an entity in a search: 2 if its ID matches, 1 for its summary, 0 for its description, -1 for no match. */
 function rankOf(entity, words) {
   const id = `${entity.id} ${nameOfType(entity.id).replaceAll("_", " ")}`.toLowerCase();
   const summary = `${id} ${entity.summary ?? ""}`.toLowerCase();
@@ -17,7 +17,7 @@ function rankOf(entity, words) {
   return first < 0 ? -1 : 2 - first;
 }
 
-/** [[title, entities]] of what has all words of a text, the best first. */
+/** [[title, entities]]: entities that match all words of a text, best matches first. */
 export function foundIn(library, text) {
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
   const byRank = (a, b) => b.rank - a.rank || a.entity.id.localeCompare(b.entity.id);
@@ -31,7 +31,7 @@ export function foundIn(library, text) {
       .map(({title, found}) => [title, found.map(({entity}) => entity)]);
 }
 
-/** The field of the form that begins: what is required and empty, or the name. */
+/** Focuses the first field that is required and empty, or the name. */
 function beginForm(fields) {
   (fields.find((one) => one.key.startsWith("config.") && one.fault() !== "" && one.text() === "") ?? fields[0])
       .input.focus();
@@ -42,7 +42,7 @@ export function beginAdding(id, place = null) {
   selectToEdit({adding: id, place});
 }
 
-/** Drags of an entry: let go over the drawing, its box lies there. */
+/** Makes an entry draggable: the box appears where the entry is dropped on the drawing. */
 function dragOut(entry, id) {
   let from = null;
   const shadow = el("div.shadow", {hidden: true}, id);
@@ -118,7 +118,7 @@ export function libraryPanel() {
   return {panel: el("div.library", {"aria-label": "Library"}, search, found), show, search};
 }
 
-/** Objects need an engine; the first object brings it. */
+/** Field for the engine. Objects need one, so the first object sets it. */
 function engineField(entity) {
   if (entity.kind !== "object" || editing.model.top.engine) return null;
   const made = (entity.made_for ?? []).map(({engine}) => engine);
@@ -139,7 +139,7 @@ function addEdits(entity, name, rate, engine, parameters) {
   return engine ? [{kind: "set", path: ["engine"], value: `{type: ${engine}, rate: ${environment}}`}, add] : [add];
 }
 
-/** The form of an entity that is being added. */
+/** Form that adds an entity. */
 export function addForm({adding, place}) {
   const entity = editing.library.get(adding), taken = takenNames(editing.model);
   const name = field({

@@ -1,5 +1,5 @@
-// The tab of a loop on a page that is served: the server linearizes the graph, opened at the port that is chosen, and
-// again for each move of a slider. Its program is compiled once: the sliders set what a reset sets.
+// Loop view of a page that is served. The server linearizes the graph, opened at the chosen port, and again after each
+// change of a slider. It compiles the program once, because the sliders change only what a reset sets.
 import {nodes, outputName} from "./data.mjs";
 import {followRun, run} from "./edit_runs.mjs";
 import {editing} from "./edit_store.mjs";
@@ -9,9 +9,9 @@ import {numberControl} from "./simulation_controls.mjs";
 import {moreViews} from "./views.mjs";
 
 const kMostSliders = 64;
-const kSettling_ms = 150;  // a slider that still moves
+const kSettling_ms = 150;  // delay after the last change of a slider
 
-/** What a loop can be opened at: one number of what a node or a sensor sends. */
+/** Signals where a loop can be opened: single elements of what nodes and sensors send. */
 export function portsOf(all) {
   const ports = [];
   for (const node of all) {
@@ -25,7 +25,7 @@ export function portsOf(all) {
   return ports;
 }
 
-/** One number after the other of all parameters: {name, parameter, at, value, low, high}. */
+/** Elements of all parameters, one after the other: {name, parameter, at, value, low, high}. */
 export function slidersOf(parameters) {
   const rows = parameters.flatMap(
       (parameter) =>
@@ -41,18 +41,18 @@ export function slidersOf(parameters) {
   return rows.slice(0, kMostSliders);
 }
 
-/** Options of `linearize`: parameters that were moved, with all of their numbers. */
+/** Options of `linearize`: parameters that the user changed, with all their elements. */
 export function optionsOf(port, moved) {
   return ["--open", port, ...[...moved].flatMap(([name, values]) => ["--at", `${name}=${values.join(",")}`])];
 }
 
 const kNoServer = "no answer: `eagerx-gen serve` does not run any more";
 
-/** Runs `linearize` on the server. {loop}, or {problem} with what it says. */
+/** Runs `linearize` on the server. Returns {loop}, or {problem} with the message. */
 async function linearized(words) {
   const {status, body} = await editing.client.call("./run", {kind: "linearize", arguments: words});
   if (status !== 200) return {problem: [body.error, body.help].filter(Boolean).join(": ")};
-  do {  // what is followed first may have run before
+  do {  // the first run to finish may be an earlier one
     if (!await followRun()) return {problem: kNoServer};
   } while (run.id < body.id || (run.id === body.id && run.running));
   const loop = run.id === body.id && run.exit_code === 0 ? await editing.client.get("loop") : null;
@@ -75,7 +75,7 @@ class LoopView {
     panel.append(el("div.toolbar", {}, this.ports, this.reset), this.status, this.sliders, this.drawn);
   }
 
-  /** Another port, or the parameters of the graph again. */
+  /** Opens the loop at another port, or resets the parameters to those of the graph. */
   open() {
     this.moved.clear();
     this.sliders.replaceChildren();
@@ -90,7 +90,7 @@ class LoopView {
     this.timer = setTimeout(() => this.ask(), kSettling_ms);
   }
 
-  /** Of what was asked meanwhile, the last one counts. */
+  /** Linearizes the graph. Of several requests during a run, only the last one counts. */
   async ask() {
     this.waits = true;
     if (this.asks) return;

@@ -1,9 +1,9 @@
-// Fields for whatever a part of the file has: what is written, and what could be written there.
+// Form fields for any part of the file: existing keys, and keys that can be added.
 import {field, shownValue} from "./edit_forms.mjs";
 import {change} from "./edit_store.mjs";
 import {button, el} from "./elements.mjs";
 
-/** Sets what is at `path`, or takes it away if there is nothing. */
+/** Sets the value at `path`, or removes it if the text is empty. */
 export function setOrRemove(path, text) {
   const value = text.trim();
   return change([value ? {kind: "set", path, value} : {kind: "remove", path}]);
@@ -11,7 +11,7 @@ export function setOrRemove(path, text) {
 
 const isMapping = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
 
-/** A field for one key. `about`: {name, about, values, required} of the format, if it is known. */
+/** Field for one key. `about`: {name, about, values, required} from the format, if known. */
 export function keyField(path, value, about = {}) {
   const key = path.join("."), values = (about.values ?? []).map(({text}) => text);
   const isChoice =
@@ -29,7 +29,7 @@ export function keyField(path, value, about = {}) {
   });
 }
 
-/** A key that is not there yet, with its value. */
+/** Row for a new key and its value. */
 function newKey(path, keys) {
   const name = field({key: `${path.join(".")}+name`, label: "new", suggestions: keys.map((key) => key.name)});
   const value = field({key: `${path.join(".")}+value`, label: "value"});
@@ -43,7 +43,7 @@ function newKey(path, keys) {
   return el("div.new", {}, name, value, button("Add", add));
 }
 
-/** All that is written below `path`, and a row for more. `keys`: what the format says may be there. */
+/** Fields for everything below `path`, and a row for a new key. `keys`: keys that the format allows there. */
 export function mapFields(path, value, keys = [], depth = 0) {
   const about = new Map(keys.map((key) => [key.name, key]));
   const rows = Object.entries(isMapping(value) ? value : {}).map(([name, item]) => {
@@ -58,7 +58,7 @@ export function mapFields(path, value, keys = [], depth = 0) {
   return [...rows, newKey(path, keys.filter(({name}) => !isMapping(value) || !(name in value)))];
 }
 
-/** A part that opens and closes, and stays so. */
+/** Collapsible part of a form, which stays open or closed when the form changes. */
 const isOpen = new Map();
 export function part(title, hint, children, open = false) {
   const details =

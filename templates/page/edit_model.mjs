@@ -1,15 +1,15 @@
-// The graph as it stands in the file, right or wrong: boxes with ports, and wires between them. Of entities the library
-// says which ports they have; of what it does not know, connections do.
+// Model of the graph as the file has it, valid or not: boxes with ports, and wires between them. The library gives the
+// ports of known entities; connections give those of unknown ones.
 
-/** {entity, port} of `leg[0].phase` or `pendulum.states.model_state`; null if it is neither. */
+/** {entity, port} of an address such as `leg[0].phase` or `pendulum.states.model_state`; null if it is invalid. */
 export function endOf(text) {
   const parts = /^([^.[]+(?:\[[^\]]*\])?(?:\/[^.[]+(?:\[[^\]]*\])?)*)\.(.+)$/.exec(String(text ?? "").trim());
   if (!parts) return null;
-  // An element of an array is drawn at the array, one of a message at its port; a composite hides what is in it.
+  // Elements of an array are drawn at the array, and elements of a message at its port. A composite hides its content.
   return {entity: parts[1].replace(/\[[^\]]*\]/g, ""), port: parts[2].replace(/\[[^\]]*\]$/, "")};
 }
 
-/** Names of a list or of the keys of a mapping. */
+/** Names in a list, or keys of a mapping. */
 export function namesOf(value) {
   if (Array.isArray(value)) return value.filter((name) => typeof name === "string");
   return value && typeof value === "object" ? Object.keys(value) : [];
@@ -26,7 +26,7 @@ function spaceOf(settings) {
   return {...space, ...(shape ? {shape} : {})};
 }
 
-/** Actions on the left, observations on the right: the two ends of the environment. */
+/** Box of one end of the environment: actions on the left, or observations on the right. */
 function endBox(section, declared) {
   const ports = namesOf(declared).map((name) => ({
                                         ...spaceOf(declared[name]),
@@ -99,14 +99,14 @@ function entityBox(section, name, written, library) {
   };
 }
 
-/** The port of a box, made if no one has said of it. */
+/** Index of a port in its box. Adds the port if it is not declared. */
 function portNumber(box, side, {port}, entity) {
   const at = box[side].findIndex(({name}) => name === port);
   if (at >= 0) return at;
   return box[side].push({name: port, address: `${entity}.${port}`, unsaid: true}) - 1;
 }
 
-/** The number of the box that has an end: its own, or that of the composite around it. */
+/** Index of the box that an end belongs to: that of its entity, or of the composite around the entity. */
 function boxWith(end, numbers) {
   for (let name = end?.entity; name; name = name.slice(0, Math.max(0, name.lastIndexOf("/"))))
     if (numbers.has(name)) return numbers.get(name);
@@ -124,7 +124,7 @@ function wireOf(connection, number, boxes, numbers) {
   return {number, connection, from: b, to: t, output, input};
 }
 
-/** Boxes and wires of `tree`, what the file says as texts, lists and mappings. `library`: entities by their ids. */
+/** Boxes and wires of `tree`, the file as strings, lists and mappings. `library`: entities by ID. */
 export function modelOf(tree, library) {
   const top = tree && typeof tree === "object" && !Array.isArray(tree) ? tree : {};
   const boxes = [endBox("actions", top.actions)];
@@ -135,17 +135,17 @@ export function modelOf(tree, library) {
   const connections = Array.isArray(top.connections) ? top.connections : [];
   const numbers = new Map(boxes.map(({name}, b) => [name, b]));
   const wires = connections.map((connection, number) => wireOf(connection, number, boxes, numbers)).filter(Boolean);
-  const incoming = boxes.map(() => []);  // numbers of wires to each box
+  const incoming = boxes.map(() => []);  // indices of the wires to each box
   wires.forEach(({to}, w) => incoming[to].push(w));
   return {top, boxes, wires, connections, incoming};
 }
 
-/** All names that another object or node cannot have. */
+/** Names that are not available for another object or node. */
 export function takenNames(model) {
   return new Set(model.boxes.map(({name}) => name).concat(["agent", "environment", "engine"]));
 }
 
-/** {box}, {wire}: what a path of the file is drawn as; null: nothing. */
+/** Element that shows a path of the file: {box}, {wire}, or null if there is none. */
 export function drawnAs(model, path) {
   const [section, key] = path ?? [];
   if (section === "connections") {

@@ -1,9 +1,9 @@
-// Which ports fit together, and the edits that connect them.
+// Compatibility of ports, and the edits that connect them.
 import {freeName, yamlText} from "./edit_values.mjs";
 
 const isKnown = (value) => typeof value === "number" || (typeof value === "string" && /^\d+$/.test(value));
 
-/** Of an output and an input: 2 the same space, 1 perhaps, 0 a processor would be needed. */
+/** Compatibility of an output and an input: 2 for equal spaces, 1 if unknown, 0 if they need a processor. */
 export function fitOf(output, input) {
   if (output.dtype && input.dtype && output.dtype !== input.dtype) return 0;
   const [from, to] = [output.shape, input.shape];
@@ -12,7 +12,7 @@ export function fitOf(output, input) {
   return from.length === to.length && from.every((size, i) => Number(size) === Number(to[i])) ? 2 : 0;
 }
 
-/** Ports of `side` that `port` can be connected to: {box, number, port, fit}, those that fit and are free first. */
+/** Ports on `side` that `port` can be connected to: {box, number, port, fit}, compatible and free ones first. */
 export function partnersOf(model, port, side) {
   const found = model.boxes.flatMap(
       (box, b) => box[side].map(
@@ -22,7 +22,7 @@ export function partnersOf(model, port, side) {
   return found.filter(({port: other}) => other.address !== port.address).sort((a, b) => rank(b) - rank(a));
 }
 
-/** Settings of a connection as the file has them: only those that say something. */
+/** Keys of a connection in the file, without settings that equal their defaults. */
 export function connectionKeys({window, delay, skip, processor, parameters}) {
   const keys = {};
   if (window?.trim() && window.trim() !== "1") keys.window = window.trim();
@@ -35,7 +35,7 @@ export function connectionKeys({window, delay, skip, processor, parameters}) {
   return keys;
 }
 
-/** Removes what an input has already: it gets one message at a time from one sender. */
+/** Edits that remove the connection to an input, which accepts only one sender. */
 function freed(model, to) {
   return model.wires.filter(({connection}) => connection.to === to)
       .map(({number}) => number)
@@ -43,12 +43,12 @@ function freed(model, to) {
       .map((number) => ({kind: "remove", path: ["connections", number]}));
 }
 
-/** The edits of a new connection between two addresses. */
+/** Edits that connect two addresses. */
 export function connectEdits(model, from, to, keys) {
   return [...freed(model, to), {kind: "connect", from, to, keys}];
 }
 
-/** A name for a new action or observation that is connected to `port`. */
+/** Name of a new action or observation that is connected to `port`. */
 export function endNameFor(model, section, port) {
   const taken = new Set(model.boxes.find((box) => box.section === section)[sideOf(section)].map(({name}) => name));
   return freeName(port.name.replace(/^.*\./, "").replace(/\W/g, "_"), taken);

@@ -1,10 +1,10 @@
-// What is wrong with the graph, each with its place, and its help as a button where that is a change of text.
+// Problems of the graph, each with its place. Help that is a change of text becomes a button.
 import {revealBox} from "./edit_drawing.mjs";
 import {drawnAs} from "./edit_model.mjs";
 import {change, editing, selectDrawn} from "./edit_store.mjs";
 import {button, el} from "./elements.mjs";
 
-/** "nodes › smooth › rate" */
+/** Path in the file as text, such as "nodes › smooth › rate". */
 export function placeText(path) {
   return (path ?? []).map((key) => (typeof key === "number" ? `${key + 1}.` : key)).join(" › ");
 }
@@ -33,7 +33,7 @@ function problemRow(problem, index, showText) {
           null);
 }
 
-/** `showText(line)` shows the line of the file. */
+/** List of the graph's problems. `showText(line)` shows the line in the file. */
 export function problemList(showText) {
   const {problems} = editing.client.state;
   if (!problems.length) return el("p.note", {}, "No problems.");

@@ -1,8 +1,8 @@
-// The ways of wires: from left to right past other boxes, and back below them.
+// Routes of wires: from left to right past other boxes, and back below them.
 import {columnLayout} from "./edit_columns.mjs";
 import {portPlace} from "./edit_sizes.mjs";
 
-/** The d of a wire that is being pulled, from [x, y] to [x, y]. */
+/** SVG path of a wire that is being drawn, from one point to another. */
 export function loosePath([x, y], [toX, toY]) {
   const bend = Math.max(40, Math.abs(toX - x) / 2);
   return `M${x} ${y}C${x + bend} ${y} ${toX - bend} ${toY} ${toX} ${toY}`;
@@ -10,7 +10,7 @@ export function loosePath([x, y], [toX, toY]) {
 
 const kCorner = 8, kReach = 22;
 
-/** The d along points, with right angles that are round. */
+/** SVG path along points, with rounded right angles. */
 function roundedPath(points) {
   let d = `M${points[0].join(" ")}`;
   for (let i = 1; i + 1 < points.length; ++i) {
@@ -23,7 +23,7 @@ function roundedPath(points) {
   return d + `L${points.at(-1).join(" ")}`;
 }
 
-/** A height for the way back where nothing lies: between the two boxes, or below all that is between them. */
+/** Height at which a return wire meets no box: between the two boxes, or below everything between them. */
 function heightOfReturn(places, source, target, left, right) {
   const [upper, lower] = source.y < target.y ? [source, target] : [target, source];
   const between = places.filter((place) => place.x < right && place.x + place.width > left);
@@ -34,8 +34,8 @@ function heightOfReturn(places, source, target, left, right) {
 }
 
 /**
- * The d of each wire. Wires that return lie side by side. `isFree`: no place was chosen, so lanes are where they were
- * made.
+ * SVG path of each wire. Return wires run side by side. `isFree`: the user has moved no box, so the lanes of the
+ * columns are valid.
  */
 export function wireRoutes(model, places, isFree) {
   const lanes = isFree ? columnLayout(model).lanes : [];
@@ -51,7 +51,7 @@ export function wireRoutes(model, places, isFree) {
   });
 }
 
-/** Past columns on straight lanes, with curves between them. */
+/** SVG path past columns on straight lanes, with curves between them. */
 function forwardRoute(from, to, lanes) {
   let d = `M${from.join(" ")}`, [x, y] = from;
   const curve = (toX, toY) => {

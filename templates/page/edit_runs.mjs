@@ -1,4 +1,4 @@
-// Programs that the server starts: what they print, and of training the curve as it grows.
+// Programs that the server runs: their output and, during a training, the learning curve.
 import {curveBox, drawCurve} from "./edit_curve.mjs";
 import {editing, say} from "./edit_store.mjs";
 import {button, el} from "./elements.mjs";
@@ -25,12 +25,12 @@ const kNothingYet = {
   rows: []
 };
 
-/** Adds what the server tells: lines from `next` on, rows of the curve. True: there is something new. */
+/** Adds the server's answer: lines from `next` on, and rows of the curve. Returns true if there is anything new. */
 export function takeRun(known, answer) {
   if (answer.id !== known.id) {
     const wasAskedFromThere = known.next > 0 || known.row > 0;
     Object.assign(known, structuredClone(kNothingYet), {id: answer.id});
-    if (wasAskedFromThere) return true;  // of another run: this one is asked for from its beginning
+    if (wasAskedFromThere) return true;  // another run, which is requested from its beginning
   }
   const isOther = known.running !== answer.running;
   Object.assign(known, {
@@ -51,7 +51,7 @@ export function takeRun(known, answer) {
 }
 
 const linesBox = el("pre.lines", {tabIndex: 0, "aria-label": "What the program prints", "aria-live": "polite"});
-let follows = true;  // the last line, until somebody scrolls up
+let follows = true;  // shows the last line, until the user scrolls up
 linesBox.addEventListener("scroll", () => {
   follows = linesBox.scrollTop + linesBox.clientHeight >= linesBox.scrollHeight - 30;
 });
@@ -89,13 +89,13 @@ async function askForMore() {
   return true;
 }
 let following = null;
-/** Asks for more until the program has ended and everything has arrived. False: the server does not answer. */
+/** Polls until the program has ended and all its output has arrived. Returns false if the server does not answer. */
 export function followRun() {
   following ??= askForMore().finally(() => (following = null));
   return following;
 }
 
-/** Called with true when a program begins: its output is shown. */
+/** Called with true when a program starts, to show its output. */
 let begun = () => {};
 export function onRun(call) {
   begun = call;
@@ -117,7 +117,7 @@ const runArguments = el("input", {
   spellcheck: false
 });
 
-/** Words as a shell would have them, with quotes. */
+/** Words of a command line, split as in a shell, with quotes. */
 export function wordsOf(text) {
   return [...text.matchAll(/"([^"]*)"|'([^']*)'|(\S+)/g)].map(([, a, b, c]) => a ?? b ?? c);
 }

@@ -1,10 +1,10 @@
-// How large boxes are, and where their ports lie.
+// Sizes of boxes, and positions of their ports.
 
 export const kPortHeight = 22, kBoxHead = 46, kBoxGap = 26, kColumnGap = 90, kPortReach = 11;
 
 const textWidth = (text, wide = 6.8) => text.length * wide;
 
-/** {width, height} of a box, from its texts. */
+/** {width, height} of a box, from the lengths of its texts. */
 export function sizeOf(box) {
   const rows = Math.max(box.inputs.length, box.outputs.length, 1);
   const longest = (ports) => Math.max(0, ...ports.map(({name}) => textWidth(name)));
@@ -13,7 +13,7 @@ export function sizeOf(box) {
   return {width: Math.ceil(width), height: kBoxHead + rows * kPortHeight + 6};
 }
 
-/** The middle of a port, from the corner of its box. */
+/** Center of a port, relative to the corner of its box. */
 export function portPlace(size, side, number) {
   return [side === "outputs" ? size.width : 0, kBoxHead + number * kPortHeight + kPortHeight / 2 - 4];
 }

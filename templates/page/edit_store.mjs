@@ -1,20 +1,20 @@
-// What is edited: the newest state of the server, what is drawn of it, and what is selected.
+// State of the editor: the newest state of the server, the drawing of it, and the selection.
 import {EditClient} from "./edit_client.mjs";
 import {placedBoxes} from "./edit_layout.mjs";
 import {modelOf} from "./edit_model.mjs";
 
 export const editing = {
   model: modelOf(null, new Map()),
-  places: [],          // of the boxes
-  library: new Map(),  // entities by their ids
-  sections: {},        // keys that entries of sections may have
-  // {section, name}, {from, to} a connection, {adding: id, place} an entity that is being added, null: the graph itself
+  places: [],          // positions of the boxes
+  library: new Map(),  // entities by ID
+  sections: {},        // keys that entries of sections can have
+  // {section, name}, a connection {from, to}, an entity being added {adding: id, place}, or null for the graph itself
   selected: null,
-  notice: ""  // what was not done, and why
+  notice: ""  // what failed, and why
 };
 
 const editWatchers = [];
-/** `changed(what)` with "state", "selected", "library" or "notice". */
+/** Registers `changed(what)`, which is called with "state", "selected", "library" or "notice". */
 export function watchEditing(changed) {
   editWatchers.push(changed);
 }
@@ -22,7 +22,7 @@ function tellEditing(what) {
   for (const changed of editWatchers) changed(what);
 }
 
-let folders = "";  // of entities, as the file names them
+let folders = "";  // of entities, as written in the file
 
 function takeState(why) {
   const {state} = editing.client, now = JSON.stringify(state.tree?.library ?? null);
@@ -75,7 +75,7 @@ export function selectDrawn(drawn) {
   selectToEdit({section, name});
 }
 
-/** Sends edits; true when the file has them. Then `then` is selected, if nothing else was meanwhile. */
+/** Sends edits. Returns true on success, and selects `then` unless the user has selected something else meanwhile. */
 export async function change(edits, then) {
   const before = editing.selected;
   const problem = await editing.client.edit(edits);
@@ -91,7 +91,7 @@ export async function stepBack(which) {
   if (problem) say(problem);
 }
 
-/** From now on every box stays where it is. */
+/** Fixes all boxes at their current positions. */
 export function keepPlaces() {
   const places = editing.places.map(({x, y}) => [Math.round(x), Math.round(y)]);
   const all = Object.fromEntries(editing.model.boxes.map(({name}, b) => [name, places[b]]));
@@ -99,19 +99,19 @@ export function keepPlaces() {
   editing.places = placedBoxes(editing.model, all);
 }
 
-/** The place of a box that is about to be there. */
+/** Saves the position of a box that is about to be added. */
 export function keepPlaceOf(name, place) {
   editing.client.places({...editing.client.state.layout, [name]: place});
 }
 
-/** Places are found anew, for all boxes. */
+/** Discards all positions, and places the boxes automatically. */
 export function arrange() {
   editing.client.places({});
   editing.places = placedBoxes(editing.model, {});
   tellEditing("state");
 }
 
-/** Asks which entities and keys there are: both depend on the file's `library:`. */
+/** Requests the available entities and keys, both of which depend on the file's `library:`. */
 async function learn() {
   const [library, schema] = await Promise.all([editing.client.get("library"), editing.client.get("schema")]);
   editing.library = new Map((library?.entities ?? []).map((entity) => [entity.id, entity]));

@@ -1,4 +1,4 @@
-// The file next to the drawing: as it is now, with what the last change made of it, and problems at their lines.
+// File next to the drawing: its current text, with the last change highlighted and problems at their lines.
 import {changedLines} from "./edit_changes.mjs";
 import {editing} from "./edit_store.mjs";
 import {add, el} from "./elements.mjs";

@@ -1,14 +1,14 @@
-// Values of a graph's file as text: how they are written, and what is wrong with what somebody typed.
+// Values of a graph's file as text: conversion to YAML, and validation of the user's input.
 
 const kPlain = /^[A-Za-z_./][\w./-]*( [\w./-]+)*$/;
 const kOther = /^(true|false|yes|no|on|off|null|~|nan|inf|\.nan|\.inf|[-+]?[0-9.]+(e[-+]?\d+)?)$/i;
 
-/** A text as one scalar of YAML, with quotes where it would be something else without them. */
+/** Text as a YAML scalar, quoted if it would mean something else without quotes. */
 export function yamlText(text) {
   return kPlain.test(text) && !kOther.test(text) ? text : JSON.stringify(text);
 }
 
-/** What the outline has (texts, lists, mappings) as one line of YAML, as a form shows it. */
+/** Value of the file's tree (strings, lists, mappings) as one line of YAML, for a form. */
 export function flowText(value) {
   if (value === null || value === undefined) return "";
   if (Array.isArray(value)) return `[${value.map(flowText).join(", ")}]`;
@@ -18,17 +18,17 @@ export function flowText(value) {
   return /^[-+]?[0-9.]|^[$]/.test(text) && !/[,[\]{}:#]/.test(text) || kPlain.test(text) ? text : JSON.stringify(text);
 }
 
-/** What can be the name of an object, a node, an action. */
+/** True if a text is a valid name of an object, a node or an action. */
 export function isName(text) {
   return /^[A-Za-z][A-Za-z0-9_]*$/.test(text);
 }
 
-/** `butterworth_filter` of `ButterworthFilter`. */
+/** Name for an entity type: `butterworth_filter` for `ButterworthFilter`. */
 export function nameOfType(id) {
   return id.replace(/([a-z0-9])([A-Z])/g, "$1_$2").replace(/([A-Z])([A-Z][a-z])/g, "$1_$2").toLowerCase();
 }
 
-/** `name`, or with the first number behind it that makes it another than those in `taken`. */
+/** `name`, with a number appended if `taken` already contains it. */
 export function freeName(name, taken) {
   if (!taken.has(name)) return name;
   let number = 2;
@@ -36,7 +36,7 @@ export function freeName(name, taken) {
   return `${name}_${number}`;
 }
 
-/** The numbers of "1, 2" or "[1, 2]"; null if it is no list of numbers. */
+/** Numbers in "1, 2" or "[1, 2]"; null if the text is not a list of numbers. */
 export function numberList(text) {
   const inner = /^\[(.*)\]$/s.exec(text.trim())?.[1] ?? text;
   const words = inner.split(/[,\s]+/).filter(Boolean);
@@ -50,14 +50,14 @@ function outOfBounds({low, high}, number) {
   return "";
 }
 
-/** Why a text cannot be the value of a parameter; "" if it can, or only the check knows. */
+/** Reason why a text is invalid as the value of a parameter; "" if it is valid, or only the generator can tell. */
 export function faultOf(parameter, text) {
   const trimmed = text.trim();
   if (trimmed === "") return parameter.required ? "required" : "";
   if (/^[{$]/.test(trimmed)) return "";  // {each: …}, {csv: …}, $(index)
   const isOne = parameter.type === "int" || parameter.type === "float";
   if (isOne || parameter.type === "ints" || parameter.type === "floats") {
-    if (/[A-Za-zµμ]$/.test(trimmed) && parameter.unit) return "";  // with a unit of its own
+    if (/[A-Za-zµμ]$/.test(trimmed) && parameter.unit) return "";  // with an explicit unit
     if (isOne && /^[-+]?\d+\/\d+$/.test(trimmed)) return "";
     const numbers = numberList(trimmed);
     if (!numbers || (isOne && (numbers.length !== 1 || trimmed.startsWith("["))))
@@ -71,7 +71,7 @@ export function faultOf(parameter, text) {
   return "";
 }
 
-/** What somebody typed for a parameter, as YAML. */
+/** User input for a parameter, as YAML. */
 export function parameterText(parameter, text) {
   const trimmed = text.trim();
   if (/^[{$[]/.test(trimmed) && parameter.type !== "string") return trimmed;
@@ -80,7 +80,7 @@ export function parameterText(parameter, text) {
   return trimmed;
 }
 
-/** "float, 0 … 10 Hz, default 2": the facts of a parameter besides its text. */
+/** Type, range, unit and default of a parameter, such as "float, 0 … 10 Hz, default 2". */
 export function limitsOf(parameter) {
   const {type, unit, low, high} = parameter;
   const range = low !== undefined && high !== undefined ? `${low} … ${high}` :

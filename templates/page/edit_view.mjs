@@ -1,4 +1,4 @@
-// The view that edits the graph: library, drawing, form, and below them problems, file and programs.
+// Editor view: library, drawing and form, and below them problems, file and programs.
 import {nodes} from "./data.mjs";
 import {connectDialog} from "./edit_connect.mjs";
 import {editSvg, fitEdit, zoomEdit} from "./edit_drawing.mjs";
@@ -20,7 +20,7 @@ const undoButton = button("↶ Undo", () => stepBack("undo"), {disabled: true}),
       redoButton = button("↷ Redo", () => stepBack("redo"), {disabled: true});
 const problemsBox = el("div.list"), goodness = el("p.goodness", {role: "status"});
 
-// ---- Below: one of three ------------------------------------------------------------------------------------------
+// ---- Lower panel: one of three tabs -------------------------------------------------------------------------------
 const lower =
     [["problems", "Problems", problemsBox], ["text", "File", textPanel], ["programs", "Programs", runPanel]].map(
         ([id, name, panel]) =>
@@ -31,7 +31,7 @@ function showLower(id) {
     one.tab.setAttribute("aria-selected", one.id === id);
   }
   if (id === "programs") showRun();
-  if (id === "text" && editing.client.state) showText();  // as it can only scroll to a change when it is shown
+  if (id === "text" && editing.client.state) showText();  // scrolling to a change requires that the panel is visible
 }
 const lowerPanel =
     el("div.lower", {},
@@ -57,7 +57,7 @@ function showGoodness({good, problems}) {
   lower[0].tab.textContent = problems.length ? `Problems (${problems.length})` : "Problems";
 }
 
-/** The other views show the last good graph: they are made anew when somebody looks at them. */
+/** Enables the other views once the graph is valid. They show the last valid graph, and reload when opened. */
 function showFreshness({page, page_revision}) {
   const none = !page, newest = none ? null : page_revision;
   freshness.shown ??= nodes.length ? newest : -1;
@@ -91,7 +91,7 @@ watchEditing((what) => {
   showRun();
 });
 
-// ---- Keys of the whole view ---------------------------------------------------------------------------------------
+// ---- Keyboard shortcuts of the whole view -------------------------------------------------------------------------
 function isTyping(target) {
   return target.matches("input, select, textarea");
 }
@@ -111,7 +111,7 @@ document.addEventListener("keydown", (event) => {
   }
 });
 
-connectDialog.addEventListener("keydown", (event) => event.stopPropagation());  // single keys mean nothing there
+connectDialog.addEventListener("keydown", (event) => event.stopPropagation());  // shortcuts are inactive there
 
 function makeEditView(panel) {
   panel.append(

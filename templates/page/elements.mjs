@@ -1,7 +1,7 @@
-// What views are built of. Texts become text nodes, never markup.
+// Elements that views consist of. Strings become text nodes, never markup.
 import {count} from "./numbers.mjs";
 
-/** el("td.number", {title: "x"}, "text", child): classes follow dots; what is no element becomes text. */
+/** Element, as in el("td.number", {title: "x"}, "text", child): dots precede classes; non-elements become text. */
 export function el(what, properties, ...children) {
   const [tag, ...classes] = what.split(".");
   const element = document.createElement(tag || "div");
@@ -38,7 +38,7 @@ export function button(text, action, properties) {
   return el("button", {type: "button", onclick: action, ...properties}, text);
 }
 
-/** A group of buttons of which one is pressed. `choices`: [value, text]. */
+/** Group of buttons, one of which is pressed. `choices`: [value, text]. */
 export function segment(label, choices, current, chosen) {
   const buttons = choices.map(([value, text]) => button(text, () => choose(value)));
   function choose(value) {
@@ -51,7 +51,7 @@ export function segment(label, choices, current, chosen) {
   return group;
 }
 
-/** A table; columns: {name, number?, cell(row)}. More than `most` rows wait behind a button. */
+/** Table; columns: {name, number?, cell(row)}. A button shows the rows beyond `most`. */
 export function table(columns, rows, most = 200, activate = null) {
   const body = el("tbody");
   const show = (from, to) => {
@@ -101,17 +101,17 @@ export function pairs(list) {
           .map(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]));
 }
 
-/** Where a name may continue on the next line. */
+/** Pieces of a name, between which a line may break. */
 export function piecesOf(name) {
   return name.split(/(?<=[._/])(?=[^._/])|(?=\[)/);
 }
 
-/** A name that breaks behind dots, slashes and underscores, and before an index, rather than within a word. */
+/** Name that breaks after dots, slashes and underscores and before an index, but not within a word. */
 export function breakable(name) {
   return piecesOf(name).flatMap((piece, i) => (i ? [el("wbr"), piece] : [piece]));
 }
 
-/** A bar with one or two lengths, as parts of the whole. */
+/** Bar with one or two lengths, as fractions of the whole. */
 export function bar(part, second = null, kind = "") {
   const box = el("div.bar" + (kind ? "." + kind : ""));
   for (const [name, value] of [["behind", second], ["front", part]]) {

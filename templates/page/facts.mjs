@@ -1,4 +1,4 @@
-// What is fixed of the graph: spaces, parameters, what a reset draws, the task, safety.
+// Constant properties of the graph: spaces, parameters, values that a reset samples, the task, safety.
 import {data, inputOf, nodes} from "./data.mjs";
 import {add, breakable, card, el, pairs, table, tiles} from "./elements.mjs";
 import {lineLink, randomText, valueText} from "./inspector.mjs";

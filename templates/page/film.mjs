@@ -1,14 +1,14 @@
-// Scenes of a trace, one after the other.
+// Scenes of a trace in sequence.
 import {kColumns} from "./scene.mjs";
 
-/** The scenes of an episode, of which only changes are in the page. */
+/** Scenes of an episode. The page stores only the changes between them. */
 export class Film {
   constructor({rate_hz, every, scenes, changes}) {
     const raw = atob(changes);
     this.view = new DataView(Uint8Array.from(raw, (c) => c.charCodeAt(0)).buffer);
     this.rate_hz = rate_hz;
     this.every = every;
-    this.kept = [];  // every 64th scene, so that going back is cheap
+    this.kept = [];  // every 64th scene, so that seeking backward is fast
     this.places = new Float64Array(scenes);
     this.ticks = new Float64Array(scenes);
     let at = 0, rows = 0;
@@ -26,7 +26,7 @@ export class Film {
     return (this.ticks[this.ticks.length - 1] + this.every) / this.rate_hz;
   }
 
-  /** The number of the scene that is shown at a time. */
+  /** Index of the scene that is visible at a given time. */
   numberAt(time_s) {
     let [low, high] = [0, this.ticks.length - 1];
     while (low < high) {

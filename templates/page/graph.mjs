@@ -1,4 +1,4 @@
-// The view of the drawing: which one, what of it is open, keys and pointer.
+// Graph view: choice of drawing, open composites, keyboard and pointer.
 import {data, nodes} from "./data.mjs";
 import {button, el, segment} from "./elements.mjs";
 import {
@@ -28,8 +28,8 @@ function showDrawing(name) {
   markGraph();
 }
 
-// ---- What is open -------------------------------------------------------------------------------------------------
-/** Shows the drawing with other composites open; the box of `still` stays where it is. */
+// ---- Open composites ----------------------------------------------------------------------------------------------
+/** Shows the drawing with different composites open. The box of `still` stays where it is. */
 function reopen(opened, still) {
   const cornerOf = () => graphView.shown.boxes.find((box) => box.composite === still);
   const before = cornerOf();
@@ -55,7 +55,7 @@ export function toggle(composite) {
   reopen(opened, composite);
 }
 
-/** Of the box that is selected, or of the one around it. */
+/** Opens or closes the selected composite, or the one around the selected box. */
 function toggleSelected() {
   const {boxes} = graphView.shown;
   const box = state.selected && boxes[boxOf(graphView.shown, state.selected)];
@@ -70,7 +70,7 @@ function toggleAll() {
   reopen(new Set(graphView.opened.size ? [] : data.composites.map(({name}) => name)), null);
 }
 
-/** Opens what the nodes or the object of `selected` are in. */
+/** Opens the composites that contain the nodes or the object of `selected`. */
 function openTo(selected) {
   const inputs = inputsOf(selected);
   const names = inputs ?
@@ -81,7 +81,7 @@ function openTo(selected) {
   reopen(new Set([...graphView.opened, ...inside.map(({name}) => name)]), null);
 }
 
-/** Shows the selected thing in the drawing that has it. */
+/** Shows the selection in the drawing that contains it. */
 export function showInGraph() {
   showView("graph");
   const {selected} = state;

@@ -1,4 +1,4 @@
-// The drawing: places come from the generator, here it is only shown, moved and searched.
+// Drawing of the graph. The generator places the boxes; this module displays, pans and zooms the drawing.
 import {onFrame} from "./canvas.mjs";
 import {data} from "./data.mjs";
 import {svg} from "./elements.mjs";
@@ -13,7 +13,7 @@ export const graphView = {
   moved: false,
   opened: new Set()  // names of composites
 };
-export const unfolded = {};  // drawings with what is open, by their names
+export const unfolded = {};  // drawings with open composites, by name
 
 export const graphSvg = svg("svg", {
   class: "graph",
@@ -31,7 +31,7 @@ function portTexts(box, ports, right) {
   });
 }
 
-/** Opens and closes a composite. */
+/** Sign that opens and closes a composite. */
 function signOf(box) {
   const x = box.x + box.width - 24, y = box.y + 8;
   return svg(
@@ -58,7 +58,7 @@ function wireElement(wire) {
       svg("path", {class: "line", d}), svg("path", {class: "tip", d: `M${x} ${y}l-8 -4v8z`}));
 }
 
-/** Elements of a drawing; made when it is looked at first. */
+/** Elements of a drawing, created when it is first shown. */
 export function drawingOf(name) {
   if (unfolded[name]) return unfolded[name];
   const drawing = unfolded[name] = unfold(data.drawings[name], graphView.opened);
@@ -85,16 +85,14 @@ export function place() {
 }
 export const placeSoon = onFrame(place);
 
-/** The rectangle around points. */
+/** Bounding rectangle of points. */
 function around(points) {
   const xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
   const x = Math.min(...xs), y = Math.min(...ys);
   return {x, y, width: Math.max(...xs) - x, height: Math.max(...ys) - y};
 }
 
-/**
- * Browsers lay out everything anew when the scale changes: of a large graph only what is within the window is there.
- */
+/** Browsers lay out everything again when the scale changes, so a large graph shows only what is within the window. */
 function cull() {
   const {shown, zoom, x, y} = graphView;
   if (shown.boxes.length < 200) return;
@@ -125,7 +123,7 @@ export function fitGraph() {
   const box = graphSvg.getBoundingClientRect();
   const {width, height} = graphView.shown;
   if (!box.width || !box.height) return;
-  const side = 16, above = 50, below = 16;  // above are the buttons
+  const side = 16, above = 50, below = 16;  // the buttons are at the top
   const zoom = Math.min(2, (box.width - 2 * side) / width, (box.height - above - below) / height);
   graphView.zoom = zoom;
   graphView.moved = false;
@@ -134,7 +132,10 @@ export function fitGraph() {
   place();
 }
 
-/** The Fit button: all of it; again, the whole width, from the top, where only the height made it small. */
+/**
+ * Fit button: shows the whole graph or, if its height limits the scale, the whole width from the top when pressed
+ * again.
+ */
 export function fitGraphOrWidth() {
   const box = graphSvg.getBoundingClientRect(), {width, height} = graphView.shown;
   const {x, y, zoom, moved} = graphView;
@@ -149,7 +150,7 @@ export function fitGraphOrWidth() {
   place();
 }
 
-/** All of it, or of a large graph the beginning. */
+/** Shows the whole graph, or the beginning of a large one. */
 export function beginGraph() {
   fitGraph();
   const readable = 0.5, [first] = graphView.shown.boxes;
@@ -162,7 +163,7 @@ export function beginGraph() {
   place();
 }
 
-/** Brings boxes into the middle, readable if they can be. */
+/** Centers boxes in the window, at a readable scale if possible. */
 export function frame(boxes) {
   if (!boxes.length) return;
   graphView.moved = true;

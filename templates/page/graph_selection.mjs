@@ -1,4 +1,4 @@
-// What of the drawing is selected.
+// Selection in the drawing.
 import {ageWay, data, nodes} from "./data.mjs";
 import {graphSvg, graphView} from "./graph_drawing.mjs";
 import {select, state, watch} from "./selection.mjs";
@@ -9,7 +9,7 @@ export function nameOf({node, object, composite}) {
   return (object !== undefined ? data.objects[object] : data.composites[composite]).name;
 }
 
-/** The connections that are selected; null if it is something else. */
+/** Selected connections; null if something else is selected. */
 export function inputsOf({input, way}) {
   if (way) return ageWay(way).map((hop) => [hop.node, hop.number]);
   return input ? [input] : null;
@@ -31,7 +31,7 @@ export function boxOf(drawing, selected) {
   return find((box) => box.object === nodes[selected.node].object);
 }
 
-/** All pieces of it, through the frames of composites. */
+/** Indices of all wires of a connection, which crosses the frames of composites. */
 export function wiresOf(drawing, [node, input]) {
   return drawing.wires.flatMap(
       ({readers}, w) => (readers.some((reader) => reader[0] === node && reader[1] === input) ? [w] : []));
@@ -56,7 +56,7 @@ export function markGraph() {
       if (wire.from === b || wire.to === b) withEnds(w);
     });
   }
-  // Frames around what is marked, and what is in a chosen one.
+  // Also mark frames around marked boxes, and the boxes in a selected frame.
   drawing.boxes.forEach((box, b) => {
     for (let frame = box.around; frame !== undefined; frame = drawing.boxes[frame].around) {
       if (boxes.has(b)) boxes.add(frame);
@@ -80,7 +80,7 @@ export function selectBox(b) {
     select(box.node !== null ? {node: box.node} : {object: box.object});
 }
 
-/** The nearest box in the direction of an arrow key. */
+/** Nearest box in the direction of an arrow key. */
 export function neighbour(dx, dy) {
   const {boxes} = graphView.shown;
   const from = state.selected ? boxOf(graphView.shown, state.selected) : -1;

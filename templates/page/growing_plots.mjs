@@ -1,4 +1,4 @@
-// Plots of channels while they grow.
+// Plots of channels that still receive messages.
 import {prepare, shade} from "./canvas.mjs";
 import {data, nodes} from "./data.mjs";
 import {breakable, el} from "./elements.mjs";
@@ -6,7 +6,7 @@ import {kPlottedElements} from "./history.mjs";
 import {count, list} from "./numbers.mjs";
 import {drawAxes, drawElement, kLeft} from "./plots.mjs";
 
-/** Least and greatest of the last `count` points, with room. */
+/** Range of the last `count` points, with a margin. */
 export function newestRange(points, count) {
   let [low, high] = [Infinity, -Infinity];
   for (const {low: values} of points.elements) {
@@ -20,7 +20,7 @@ export function newestRange(points, count) {
   return [low - room, high + room];
 }
 
-/** Channels that the environment sends or reads: what people look at first. */
+/** Channels that the environment sends or reads, which most users look at first. */
 function firstChannels(fields) {
   const known = new Set();
   nodes[0].outputs.forEach((_, o) => known.add(`0/${o}`));
@@ -32,7 +32,9 @@ function firstChannels(fields) {
 }
 
 export class GrowingPlots {
-  /** `changed()` when others are chosen. `history` is a StepHistory, or has what is asked of one here. */
+  /**
+   * `changed()` is called when the user chooses other channels. `history` is a StepHistory, or has the same members.
+   */
   constructor(fields, changed = () => {}) {
     this.fields = fields;
     this.chosen = firstChannels(fields);

@@ -1,8 +1,8 @@
-// What was sent while the page looked on: of a simulation the newest message behind each step.
+// Messages received while the page is open; in a simulation, the newest message after each step.
 
 export const kKeptSteps = 6000, kShown_s = 20, kPlottedElements = 16;
 
-/** What was seen since a reset. */
+/** Messages since a reset. */
 export class StepHistory {
   constructor(fields, step_s) {
     this.step_s = step_s;
@@ -31,7 +31,7 @@ export class StepHistory {
     this.first += kKeptSteps;
   }
 
-  /** As drawElement() takes them. */
+  /** Points for drawElement(). */
   points(f) {
     return {
       begin: this.first * this.step_s,
@@ -41,7 +41,7 @@ export class StepHistory {
   }
 }
 
-/** What came of the channels that are plotted: points at their own rates, in seconds of the run. */
+/** Messages of the plotted channels: points at the rate of each channel, in seconds of the run. */
 export class StreamHistory {
   constructor(fields) {
     this.fields = fields;
@@ -53,7 +53,7 @@ export class StreamHistory {
     const step = 1 / this.fields[f].rate_hz, place = Math.round(time_s / step);
     const shown = values.slice(0, kPlottedElements).map((value) => (value === null ? NaN : Number(value)));
     let row = this.rows[f];
-    // What was missing leaves a gap, and what is far away, or earlier, begins anew.
+    // Missing messages leave a gap. After a long gap or a jump back in time, the history starts again.
     const gap = row ? place - row.first - row.elements[0].length : -1;
     if (gap < 0 || gap > kKeptSteps || row.elements.length !== shown.length)
       row = this.rows[f] = {first: place, step, elements: shown.map(() => [])};

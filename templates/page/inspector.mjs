@@ -1,4 +1,4 @@
-// What is selected, in detail: a node, an object, or a connection with what it costs.
+// Details of the selection: a node, an object, or a connection with its costs.
 import {data, inputOf, nodes} from "./data.mjs";
 import {add, breakable, button, el, pairs, table} from "./elements.mjs";
 import {showInGraph, toggle} from "./graph.mjs";
@@ -200,7 +200,7 @@ function showComposite(number) {
   ];
 }
 
-/** How the numbers of messages relate: "2 messages a tick". */
+/** Ratio of message rates as text: "2 messages a tick". */
 function ratioText(hop) {
   if (!hop) return null;
   if (hop.a === hop.b) return "one message a tick";

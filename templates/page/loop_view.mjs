@@ -1,4 +1,4 @@
-// The loop opened at a port: Bode plot with the margins, Nyquist plot, poles, and step response.
+// Loop opened at a port: Bode plot with margins, Nyquist plot, poles, and step response.
 import {data} from "./data.mjs";
 import {add, card, el, svg, tiles} from "./elements.mjs";
 import {counted, seconds, short, stepOf} from "./numbers.mjs";
@@ -14,7 +14,7 @@ const loopRoom = {
 const degrees = (value) => `${short(value)}°`;
 const decibels = (factor) => `${short(20 * Math.log10(factor))} dB`;
 
-/** Multiples of 1, 2 or 5 times a power of ten in a range. */
+/** Multiples within a range of 1, 2 or 5 times a power of ten. */
 function gridMarks([low, high], most) {
   const step = stepOf(high - low, most), marks = [];
   for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
@@ -28,8 +28,8 @@ function decades([low, high]) {
 }
 
 /**
- * Axes as SVG: {element, x, y, line(points, shade, look?), dot, cross, circle, upright}, in the numbers of the plot.
- * `columns` and `rows`: [value, text] of the grid.
+ * Axes as SVG: {element, x, y, line(points, look), dot, cross, circle, level, upright}, in the units of the plot.
+ * `columns` and `rows`: [value, text] of the grid lines.
  */
 function axesOf({width, height, x: xs, y: ys, columns, rows, under, label}) {
   const inside = (value, [low, high]) => value >= low && value <= high;
@@ -52,7 +52,7 @@ function axesOf({width, height, x: xs, y: ys, columns, rows, under, label}) {
   return {
     element,
     x,
-    /** In as many pieces as leave and enter the plot. */
+    /** Draws a line, split where it leaves and enters the plot. */
     line(points, look) {
       let piece = "";
       for (const [at, value] of points) {
@@ -75,7 +75,7 @@ function axesOf({width, height, x: xs, y: ys, columns, rows, under, label}) {
     },
     level: (value) =>
         inside(value, ys) && path(`M${loopRoom.left} ${y(value)}H${width - loopRoom.right}`, "curve limit dashed"),
-    /** A margin: from one value to another, with its text. */
+    /** Draws a margin: a vertical line from one value to another, with a label. */
     upright(at, from, to, words) {
       if (!inside(at, xs) || !inside(from, ys) || !inside(to, ys)) return;
       path(`M${x(at)} ${y(from)}V${y(to)}`, "curve limit");
@@ -174,7 +174,7 @@ function polesPlot({open_poles, closed_poles}) {
   return axes;
 }
 
-/** The range of the linear model; what is simulated may double it. */
+/** Range of the linear response, which the simulated response can extend by one height in each direction. */
 function stepRange(step, simulated) {
   const [low, high] = loopExtent(step.flatMap(([, t, s]) => [t, s]), 0, 1), height = high - low;
   const all = loopExtent(simulated.flatMap(([, t, s]) => [t, s]), low, high);
@@ -201,7 +201,7 @@ function stepPlot({step, simulated}) {
   return axes;
 }
 
-/** The frequency under the pointer, with gain and phase there. */
+/** Readout of the frequency, gain and phase at the pointer. */
 function bodeReadout(loop, axes) {
   const words = el("span.values", {}, "");
   const logs = loop.bode.map(([f]) => Math.log10(f));

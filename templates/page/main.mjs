@@ -1,4 +1,4 @@
-// The page: its views, keys and colours.
+// The page: its views, keyboard shortcuts and colors.
 import "./inspector.mjs";
 
 import {makeAgesView} from "./ages.mjs";
@@ -77,7 +77,7 @@ const kEditKeys = [
   ["Ctrl+Z, Ctrl+Shift+Z", "edit: undo, redo"]
 ];
 
-// ---- Keys -----------------------------------------------------------------------------------------------------------
+// ---- Keyboard shortcuts ---------------------------------------------------------------------------------------------
 const help = document.getElementById("help");
 function showHelp() {
   const keys = [
@@ -125,7 +125,7 @@ document.addEventListener("keydown", (event) => {
   event.preventDefault();
 });
 
-// ---- Begin ----------------------------------------------------------------------------------------------------------
+// ---- Startup --------------------------------------------------------------------------------------------------------
 const {info} = data;
 document.title = `${info.name} – eagerx-gen report`;
 document.getElementById("title").textContent = info.name;

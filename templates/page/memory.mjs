@@ -1,4 +1,4 @@
-// Where memory goes: buffers, and with an image flash, RAM and stack of each node.
+// Memory use: buffers and, with an image, flash, RAM and stack of each node.
 import {data, inputOf, nodes, outputName} from "./data.mjs";
 import {bar, card, el, table, tiles} from "./elements.mjs";
 import {bytes, count, counted, list} from "./numbers.mjs";
@@ -16,7 +16,7 @@ function memoryRows() {
   data.images.forEach((image, i) => {
     for (const [group, isNode] of [[image.size.nodes, true], [image.size.others, false]]) {
       for (const [name, used] of Object.entries(group || {})) {
-        // What nodes share can have the name of a node.
+        // An item that several nodes share can have the name of a node.
         const at = row(isNode ? name : `(${name})`, isNode ? numberOf.get(name) : undefined);
         at.flash[i] += used.flash;
         at.ram[i] += used.ram;
@@ -65,7 +65,7 @@ function imageCard(image) {
           null);
 }
 
-/** What needs the most messages. A buffer of one may have no reader at all. */
+/** Reader that needs the most messages. A buffer of one message may have no reader. */
 export function whyText(ring) {
   return ring.why || "one message is always kept";
 }

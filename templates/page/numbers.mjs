@@ -1,4 +1,4 @@
-// Numbers as text, and other forms of them.
+// Formatting and conversion of numbers.
 
 export function count(value) {
   return String(value).replace(/\B(?=(\d{3})+(?!\d))/g, "\u202f");
@@ -9,7 +9,7 @@ export function counted(value, one) {
 export function bytes(value) {
   return `${count(value)} B`;
 }
-/** With `digits` that count. */
+/** Number with `digits` significant digits. */
 export function short(value, digits = 4) {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
   if (value === 0) return "0";
@@ -34,7 +34,7 @@ export function list(values, most = 8) {
 export function bounds(space) {
   if (!space.low.length && !space.high.length) return "no bounds";
   const same = (values) => values.every((value) => value === values[0]);
-  // JSON has no infinity: it is null.
+  // JSON cannot represent infinity, so an infinite bound is null.
   const finite = (values, infinity) => values.map((value) => (value === null ? infinity : value));
   const low = finite(space.low, "−∞"), high = finite(space.high, "∞");
   if (same(low) && same(high)) return `${list(low.slice(0, 1))} … ${list(high.slice(0, 1))}`;
@@ -45,15 +45,14 @@ export function parse(fraction) {
   return Number(above) / Number(below || 1);
 }
 
-/** Steps of 1, 2 or 5 times a power of ten, so that about `most` fit. */
+/** Step of 1, 2 or 5 times a power of ten that divides `span` into about `most` parts. */
 export function stepOf(span, most) {
   const raw = span / Math.max(1, most);
   const power = 10 ** Math.floor(Math.log10(raw));
   return power * ([1, 2, 5, 10].find((factor) => power * factor >= raw) || 10);
 }
 
-// Plots of what runs sent: one cursor through all, episodes over each other or side by side. Of long traces each point
-// is the least and the greatest value of a part of the time.
+// Numbers from the Base64 text of little-endian float32 values.
 export function floats(text) {
   const raw = atob(text), values = new Float32Array(raw.length / 4);
   const view = new DataView(Uint8Array.from(raw, (c) => c.charCodeAt(0)).buffer);

@@ -1,4 +1,4 @@
-// The pictures of a trace, played back in step with the cursor of the plots.
+// Playback of the pictures of a trace, synchronized with the cursor of the plots.
 import {prepare} from "./canvas.mjs";
 import {data} from "./data.mjs";
 import {button, el, segment} from "./elements.mjs";
@@ -24,7 +24,7 @@ function filmOf(run) {
 const kMostPictures = 4;
 const playedRuns = () => chosenRuns().filter(filmOf).slice(0, kMostPictures);
 
-/** One picture for each episode that is chosen. */
+/** Creates one picture for each selected episode that has scenes. */
 export function layOutPictures() {
   if (!playback.stage) return;
   playback.pictures =
@@ -60,7 +60,7 @@ function playFrame(now) {
   const end = Math.max(0, ...playback.pictures.map(({run}) => filmOf(run).end_s));
   if (playback.before !== null) {
     plots.cursor = Math.min(end, (plots.cursor ?? 0) + Math.min(0.25, (now - playback.before) * 1e-3) * playback.speed);
-    // The plots follow.
+    // The plots follow the cursor.
     const last = plots.begin + plots.span;
     if (plots.cursor < plots.begin || plots.cursor > last) placePlots(plots.cursor, plots.span);
     plots.draw();
@@ -70,7 +70,7 @@ function playFrame(now) {
   requestAnimationFrame(playFrame);
 }
 
-/** The card next to the plots; of a trace without scenes, how they get into it. */
+/** Card next to the plots. For a trace without scenes, it explains how to record them. */
 export function playbackCard() {
   if (!runs.some((run) => run.episode.film)) {
     if (data.shows !== "scene") return null;

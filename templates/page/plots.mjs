@@ -1,4 +1,4 @@
-// How plots look: axes, lines, the cursor and what it reads.
+// Painting of plots: axes, lines, the cursor and its readout.
 import {colour, onFrame, prepare, shade} from "./canvas.mjs";
 import {el} from "./elements.mjs";
 import {seconds, short, stepOf} from "./numbers.mjs";
@@ -7,7 +7,7 @@ import {chosenRuns, plots, pointsOf} from "./runs.mjs";
 
 export const kLeft = 62, kBottom = 18;
 
-/** Least and greatest of what is to be seen. */
+/** Range of the visible values. */
 function rangeOf(series, of) {
   let [low, high] = [Infinity, -Infinity];
   for (const run of of ) {
@@ -28,7 +28,7 @@ function rangeOf(series, of) {
   return [low - room, high + room];
 }
 
-/** `frame`: {begin, span} of what is to be seen, in seconds. */
+/** `frame`: visible time {begin, span}, in seconds. */
 export function drawAxes(context, width, height, [low, high], last, frame = plots) {
   const bottom = height - (last ? kBottom : 4), y = (value) => bottom - ((value - low) / (high - low)) * (bottom - 6);
   context.strokeStyle = colour("grid");
@@ -57,7 +57,7 @@ export function drawAxes(context, width, height, [low, high], last, frame = plot
   return {x, y, bottom};
 }
 
-/** Upright, left of the numbers. */
+/** Draws the unit vertically, to the left of the tick labels. */
 function drawUnit(context, unit, y) {
   if (!unit) return;
   context.save();
@@ -75,7 +75,7 @@ export function drawElement(context, points, element, {x, y}, fill, frame = plot
   const at = (i) => x(points.begin + i * points.step);
   context.strokeStyle = context.fillStyle = fill;
   context.lineWidth = 1.4;
-  if (element.high) {  // a band, and its outline so that a thin one can be seen
+  if (element.high) {  // a band, with an outline that keeps a thin one visible
     context.beginPath();
     for (let i = from; i <= to; ++i) {
       if (Number.isNaN(element.low[i])) continue;
@@ -97,14 +97,14 @@ export function drawElement(context, points, element, {x, y}, fill, frame = plot
     else {
       context.lineTo(at(i), y(before));
       context.lineTo(at(i), y(value));
-    }  // a message holds until the next
+    }  // a message holds until the next one
     before = value;
   }
   if (before !== null) context.lineTo(at(to + 1), y(before));
   context.stroke();
 }
 
-/** Several runs have a colour each; a single one has one for each element. */
+/** Color of a line: one for each run, or one for each element of a single run. */
 export function colourOf(run, element) {
   const place = chosenRuns().indexOf(run);
   return shade(plots.runs.size > 1 ? place + (plots.sideBySide ? element : 0) : element);
@@ -137,7 +137,7 @@ function drawCanvas(row, cell, range, last) {
   context.restore();
 }
 
-/** What is at the cursor. */
+/** Shows the values at the cursor. */
 function readOut(row) {
   if (plots.cursor === null) return row.values.replaceChildren();
   const parts = [];

@@ -1,4 +1,4 @@
-// What follows the pointer: a tip next to it, and drags.
+// Pointer input: a tooltip next to the pointer, and drags.
 import {el} from "./elements.mjs";
 
 const tip = document.getElementById("tip");
@@ -13,7 +13,7 @@ export function hideTip() {
   tip.hidden = true;
 }
 
-/** Drags: `moved(dx, dy, event)` while a button is down; `clicked(event)` if it did not move. */
+/** Handles drags: calls `moved(dx, dy, event)` during a drag, or `clicked(event)` if the pointer did not move. */
 export function draggable(element, moved, clicked) {
   let from = null, far = false;
   element.addEventListener("pointerdown", (event) => {

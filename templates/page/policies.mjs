@@ -1,4 +1,4 @@
-// Policies: their layers, what they cost, and what the file says of the training.
+// Policies: their layers, their costs, and what their files say about the training.
 import {data} from "./data.mjs";
 import {card, el, pairs, table, tiles} from "./elements.mjs";
 import {lineLink} from "./inspector.mjs";

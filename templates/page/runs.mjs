@@ -1,4 +1,4 @@
-// What runs sent: a run is an episode of a trace. Which of it is plotted, and from when to when.
+// Runs, each of which is an episode of a trace, and the choice of what to plot over which time.
 import {data, nodes, outputName} from "./data.mjs";
 import {floats} from "./numbers.mjs";
 
@@ -26,7 +26,7 @@ export const plots = {
 };
 export const seriesList = [];
 
-/** What can be plotted: a channel, or how late its messages were. */
+/** Series that can be plotted: channels, and the lateness of their messages. */
 export function makeSeries() {
   const names = new Map();
   for (const log of data.logs)
@@ -53,7 +53,7 @@ export function makeSeries() {
   });
 }
 
-/** The points of a series in a run; null if it has none. */
+/** Points of a series in a run; null if there are none. */
 export function pointsOf(series, run) {
   const key = `points${series.number}`;
   if (run[key] !== undefined) return run[key];

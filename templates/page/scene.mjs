@@ -1,5 +1,5 @@
-// Paints a scene: rows of 16 numbers as in runtime/eagerx/scene.hpp, flat or in space. Texts have the page's letters;
-// otherwise it is what `--render` shows.
+// Painting of scenes: rows of 16 numbers as in runtime/eagerx/scene.hpp, in the plane or in space. The result is that
+// of `--render`, except that texts use the font of the page.
 
 const kShapes = [
   "none", "view", "line", "polyline", "polygon", "circle", "rectangle", "arrow", "text", "camera", "plane", "box",
@@ -7,7 +7,7 @@ const kShapes = [
 ];
 export const kOnScreen = 32, kColumns = 16;
 
-/** A row, or null: whatever the numbers are, the result can be painted. */
+/** Row of a scene that can be painted whatever its numbers are, or null. */
 export function sceneRow(scene, row) {
   const [kind, colour, opacity, width] = scene.subarray(row * kColumns, row * kColumns + 4);
   const shape = kind >= 0 && kind < 2 * kOnScreen ? kShapes[Math.trunc(kind) % kOnScreen] : undefined;
@@ -39,14 +39,14 @@ export function sceneText({n}) {
   return n[4] >= 0 && n[4] <= 6 ? text.replaceAll("#", Number.isFinite(n[3]) ? n[3].toFixed(n[4]) : "–") : text;
 }
 
-// ---- The plane ------------------------------------------------------------------------------------------------------
+// ---- Plane ----------------------------------------------------------------------------------------------------------
 function traceOut(context, points, closed) {
   context.beginPath();
   points.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
   if (closed) context.closePath();
 }
 
-/** The corner of an arrow's head, from `b` back towards `a`. */
+/** Paints an arrow from `a` to `b`, with a head of at most `head` pixels. */
 function paintArrow(context, a, b, head) {
   const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
   if (!(length > 0.5)) return;
@@ -110,7 +110,7 @@ function unit(a) {
   const length = Math.sqrt(dot(a, a));
   return length > 0 ? times(1 / length, a) : [0, 0, 1];
 }
-/** The direction of a pose's own `p`: n has a position and a quaternion. */
+/** Vector `p` of a body's frame, rotated into the frame of the scene: `n` has a position and a quaternion. */
 function turned(n, p) {
   const v = [n[4], n[5], n[6]], t = times(2, cross(v, p));
   return plus(plus(p, times(n[3], t)), cross(v, t));
@@ -134,7 +134,7 @@ class SceneCamera {
   depth(p) {
     return dot(minus(p, this.eye), this.forward);
   }
-  /** null for what is behind the camera, or too near. */
+  /** Projection of a point; null if the point is behind the camera or too close to it. */
   see(p) {
     const d = minus(p, this.eye), z = dot(d, this.forward);
     if (!(z > 0.01)) return null;
@@ -151,7 +151,7 @@ function paintFace(context, camera, corners, fill) {
   traceOut(context, points, true);
   context.fillStyle = context.strokeStyle = fill;
   context.fill();
-  context.lineWidth = 0.7;  // no light between neighbours
+  context.lineWidth = 0.7;  // hides seams between adjacent faces
   context.stroke();
 }
 
@@ -166,7 +166,7 @@ function paintPlane(context, camera, row) {
     }
 }
 
-/** Faces of `corners` that look at the eye; a face is [corners, normal]. */
+/** Paints the faces of `corners` that point toward the camera; a face is [corners, normal]. */
 function paintFaces(context, camera, row, faces) {
   for (const [corners, normal] of faces)
     if (dot(normal, minus(camera.eye, corners[0])) > 0)
@@ -201,7 +201,7 @@ function paintCylinder(context, camera, row) {
   ]);
 }
 
-/** What two discs and the lines that touch both enclose. */
+/** Paints the convex hull of two discs. */
 function paintHull(context, a, ra, b, rb, fill) {
   if (!(ra >= 0 && rb >= 0)) return;
   context.fillStyle = fill;
@@ -218,7 +218,7 @@ function paintHull(context, a, ra, b, rb, fill) {
   context.fill();
 }
 
-/** A sphere, or a capsule from a to b: lighter towards the light, which is above and to the left. */
+/** Paints a sphere, or a capsule from a to b, shaded by a light above and to the left. */
 function paintRound(context, camera, row, a, b, radius) {
   const [pa, pb] = [camera.see(a), camera.see(b)];
   if (!pa || !pb) return;
@@ -232,7 +232,7 @@ function paintRound(context, camera, row, a, b, radius) {
 
 const facetCorners = (n) => [0, 3, 6, 9].map((i) => [...n.subarray(i, i + 3)]);
 
-/** The middle of a row in space. */
+/** Center of a row in space. */
 function middleOf({n, shape}) {
   if (shape === "segment") return [(n[0] + n[3]) / 2, (n[1] + n[4]) / 2, (n[2] + n[5]) / 2];
   if (shape === "facet") return times(0.25, facetCorners(n).reduce(plus));
@@ -260,7 +260,7 @@ function paintInSpace(context, camera, row, height) {
   paintHull(context, pa, radius(at), pb, radius(end), paintOf(row));
 }
 
-/** The whole picture. First what is in space, the farthest first, then the shapes of the plane in their order. */
+/** Paints the whole picture: first shapes in space, the farthest first, then those of the plane in their order. */
 export function paintScene(context, scene, width, height) {
   const rows = [];
   for (let row = 0; row < scene.length / kColumns && scene[row * kColumns] !== 0; ++row)

@@ -1,11 +1,11 @@
-// When nodes run, and what they have received by then: added up from what the generator counts.
+// Ticks of the nodes, and messages received by each tick: sums of the generator's counts.
 import {data, nodes} from "./data.mjs";
 
 export const order = data.schedule.order;
 export const rowOf = new Map(order.map((node, row) => [node, row]));
 export const quantum = data.schedule.quantum.seconds;
 
-/** In seconds; null if it is too long for numbers. */
+/** Hyperperiod in seconds; null if it is too long to represent. */
 export const wholePeriod = data.schedule.hyperperiod && data.schedule.hyperperiod.seconds;
 
 export function periodOf(node) {
@@ -13,7 +13,7 @@ export function periodOf(node) {
 }
 
 const known = new WeakMap();
-/** Sums of a list from its beginning on: one more than it has numbers. */
+/** Prefix sums of a list, one more than it has numbers. */
 function sumsOf(numbers) {
   if (!known.has(numbers)) {
     let sum = 0;
@@ -22,7 +22,9 @@ function sumsOf(numbers) {
   return known.get(numbers);
 }
 
-/** How many messages a connection has received by tick n: `begin` at the first ticks, then `cycle` over and over. */
+/**
+ * Number of messages that a connection has received by tick n: `begin` for the first ticks, then `cycle` repeatedly.
+ */
 export function receivedBy({begin, cycle}, n) {
   const first = sumsOf(begin);
   if (n < begin.length) return first[n + 1];
@@ -31,7 +33,7 @@ export function receivedBy({begin, cycle}, n) {
       inCycle[later % cycle.length + 1];
 }
 
-/** Number of the newest message that the node has at tick n; -1: none yet; null: not known. */
+/** Index of the newest message that the node has at tick n; -1 if there is none yet, null if it is unknown. */
 export function newestAt(input, n) {
   return input.received && receivedBy(input.received, n) - 1;
 }

@@ -1,4 +1,4 @@
-// Search in the names of all that has one.
+// Search for everything that has a name.
 import {data, nodes, outputName} from "./data.mjs";
 import {el} from "./elements.mjs";
 import {showInGraph} from "./graph.mjs";

@@ -1,5 +1,4 @@
-// What is selected: {node}, {object}, {composite}, {input: [node, input]}, {way: age} or null. And the view that is
-// shown.
+// Selection, which is {node}, {object}, {composite}, {input: [node, input]}, {way: age} or null, and the current view.
 
 export const state = {
   selected: null,

@@ -1,8 +1,8 @@
-// Sliders of the simulation: actions by hand, and the states that episodes begin with.
+// Controls of the simulation: actions by hand, and initial states of episodes.
 import {breakable, card, el} from "./elements.mjs";
 import {short} from "./numbers.mjs";
 
-/** A row for each number of `fields`: {name, first, number} and its bounds. */
+/** Row for each number of `fields`: {name, at, whole, low, high}. */
 export function numbersOf(fields, low, high, most = 64) {
   const rows = fields.flatMap(
       (field) => Array.from({length: field.numbers}, (_, i) => ({
@@ -16,8 +16,8 @@ export function numbersOf(fields, low, high, most = 64) {
 }
 
 /**
-   A slider and a field for one number. `changed(value)` when somebody moves it. Has `show(value)`. Without bounds there
-   is a slider if it is `tunable`: around the number of `around(value)`, or the first one that is typed.
+ * Slider and field for one number. Calls `changed(value)` when the user changes it; `show(value)` sets it. A number
+ * without bounds has a slider if it is `tunable`: its range follows the last `around(value)` or typed number.
  */
 export function numberControl(row, changed) {
   const bounded = Number.isFinite(row.high - row.low);
@@ -47,7 +47,7 @@ export function numberControl(row, changed) {
   };
   for (const input of [slider, field])
     if (input) input.addEventListener("input", take);
-  // What was typed may be outside.
+  // A typed number may be outside the range.
   field.addEventListener("change", () => {
     if (slider && bounded && !Number.isNaN(field.valueAsNumber)) field.value = short(slider.valueAsNumber, 5);
   });
@@ -61,7 +61,7 @@ export function numberControl(row, changed) {
   };
 }
 
-/** Actions: they follow the agent until somebody moves one, which takes the wheel. */
+/** Controls of the actions, which follow the agent until the user moves one and takes over. */
 export class ActionControls {
   constructor(simulation, taken) {
     this.simulation = simulation;
@@ -90,14 +90,14 @@ export class ActionControls {
 }
 
 /**
-   States, parameters and delays of the next episodes: sampled, or fixed where the box is ticked. Tunable parameters are
-   set at once, too: `step()` is the step before which, or null if no episode runs.
+ * Controls of states, parameters and delays of the next episodes: sampled, or fixed if the box is checked. Tunable
+ * parameters also change immediately. `step()` is the step before which they do, or null if no episode runs.
  */
 export class StateControls {
   constructor(simulation, step) {
     this.simulation = simulation;
     this.step = step;
-    /** Options of the program that do the same in the first episode. */
+    /** Options of the program that make the same changes in the first episode. */
     this.tuned = [];
     const {about} = simulation;
     const rows = about.states.flatMap(
@@ -129,7 +129,7 @@ export class StateControls {
         null;
   }
 
-  /** NaN: sampled again. */
+  /** Sets a number; NaN means that it is sampled again. */
   set(row, value) {
     this.simulation.settings[row.at] = value;
     const step = this.step();
@@ -137,12 +137,12 @@ export class StateControls {
     const {first, numbers, name} = row.field;
     const values = Array.from(this.simulation.settings.subarray(first, first + numbers));
     if (values.some(Number.isNaN)) return;
-    // Of several at one step the last one counts.
+    // Of several changes before one step, only the last one counts.
     this.tuned = this.tuned.filter((option) => !option.startsWith(`--set ${name}=`) || !option.endsWith(`@${step}`));
     this.tuned.push(`--set ${name}=${values.join(",")}@${step}`);
   }
 
-  /** An episode has begun: what it began with, where nothing is set. */
+  /** Shows what a new episode began with, except where a value is set. */
   show() {
     this.tuned = [];
     for (const control of this.controls) {
@@ -151,7 +151,7 @@ export class StateControls {
     }
   }
 
-  /** Whether the episode began with something that is not as the graph says. */
+  /** True if the episode began with a value that the user set. */
   get any() {
     return this.controls.some(({atReset}) => atReset);
   }

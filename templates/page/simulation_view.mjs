@@ -1,4 +1,4 @@
-// The view that runs the graph's module of WebAssembly.
+// View that runs the WebAssembly module of the graph.
 import {Simulation} from "../../targets/wasm/simulation.js";
 
 import {onFrame} from "./canvas.mjs";
@@ -17,21 +17,21 @@ const simulated = {
   playing: false,
   speed: 1,
   driver: "zero",
-  drivers: new Set(),  // of this run
+  drivers: new Set(),  // used in this run
   episode: 0,
-  steps: 0,      // of the episode
-  behind: 0,     // simulated seconds that the picture is behind
+  steps: 0,      // in this episode
+  behind: 0,     // simulated seconds by which the picture lags
   before: null,  // time of the last frame, ms
-  broken: ""     // why it can run no more
+  broken: ""     // why the simulation cannot continue
 };
-const kBudget_ms = 12;  // of a frame
+const kBudget_ms = 12;  // per frame
 
 function stepLength_s() {
   const [num, den] = simulated.simulation.about.rate;
   return den / num;
 }
 
-/** What the module does when it traps is the end of it. */
+/** Calls the module. If it traps, the simulation ends. */
 function guarded(action) {
   if (simulated.broken) return 0;
   try {
@@ -44,7 +44,7 @@ function guarded(action) {
   }
 }
 
-/** A run begins as a program that has just been started. */
+/** Begins a run, in the state of a program that has just started. */
 const beginRun = () => guarded(() => {
   const text = simulated.seed.value.trim();
   const seed = /^\d{1,20}$/.test(text) ? BigInt(text) : 1n;
@@ -63,7 +63,7 @@ const nextEpisode = () => guarded(() => {
   simulated.plots.history = new StepHistory(simulated.simulation.about.messages, stepLength_s());
   simulated.plots.history.add(simulated.simulation.messages);
   simulated.states.show();
-  // A slider that was moved stays where it is.
+  // A slider that the user moved stays where it is.
   if (simulated.driver !== "hand")
     simulated.actions.show();
   else
@@ -71,7 +71,7 @@ const nextEpisode = () => guarded(() => {
   showSimulated();
 });
 
-/** At most `steps`, while there is time for it; how many it were. */
+/** Simulates at most `steps` steps until the time is over, and returns their number. */
 const advance = (steps, until = Infinity) => guarded(() => {
   let done = 0;
   while (done < steps && performance.now() < until) {
@@ -104,14 +104,14 @@ function simulationFrame(now) {
       simulated.behind += Math.min(0.25, (now - simulated.before) * 1e-3) * simulated.speed;
     const wanted = simulated.speed === Infinity ? Infinity : Math.floor(simulated.behind / step_s + 1e-6);
     const done = wanted > 0 ? advance(wanted, until) : 0;
-    // What this machine is too slow for is left out.
+    // Drops the time that this machine is too slow to simulate.
     simulated.behind = done === wanted ? simulated.behind - done * step_s : 0;
   }
   simulated.before = now;
   requestAnimationFrame(simulationFrame);
 }
 
-// ---- What is shown --------------------------------------------------------------------------------------------------
+// ---- Display --------------------------------------------------------------------------------------------------------
 function tell(text) {
   simulated.message.textContent = text;
 }
@@ -126,7 +126,7 @@ function drawPicture() {
   if (picture) simulated.canvas.getContext("2d").putImageData(new ImageData(picture, pixels, pixels), 0, 0);
 }
 
-/** What gives the same hash on Linux; or why no command does. */
+/** Command that gives the same hash on Linux, or the reason why there is none. */
 function sameOnLinux() {
   const [driver] = simulated.drivers;
   if (!simulated.drivers.size) return "";
@@ -155,7 +155,7 @@ const showSimulated = onFrame(() => {
   tell([simulation.ended ? "The episode has ended." : "", ...counts].filter(Boolean).join(" · "));
 });
 
-// ---- The view -------------------------------------------------------------------------------------------------------
+// ---- View -----------------------------------------------------------------------------------------------------------
 function drive(driver) {
   simulated.driver = driver;
   if (driver === "hand") simulated.hand = simulated.simulation.actions.slice();
@@ -232,7 +232,7 @@ function makeSimulationView(panel) {
       panel.replaceChildren(said);
     });
   };
-  // A call of the module cannot be interrupted, so what is said must have been painted before.
+  // A call of the module cannot be interrupted, so the browser must paint the message before it.
   requestAnimationFrame(() => setTimeout(start));
   const again = () => {
     if (simulated.plots) showSimulated();

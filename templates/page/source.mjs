@@ -1,4 +1,4 @@
-// The graph's file, with what eagerx-gen says about it at its place.
+// File of the graph, with diagnostics at their lines.
 import {data} from "./data.mjs";
 import {button, el} from "./elements.mjs";
 import {counted} from "./numbers.mjs";
@@ -19,7 +19,7 @@ function problemElement(problem) {
 }
 
 export function sourceLine(text, i) {
-  // A comment is what follows a # that begins the line or follows a blank, outside of quotes.
+  // A comment begins with a # at the beginning of the line or after a blank, outside quotes.
   const comment = /^(?:[^"'#]|"[^"]*"|'[^']*'|\S#)*?(?:^|\s)(#.*)$/.exec(text);
   const at = comment ? text.length - comment[1].length : text.length;
   const key = /^(\s*(?:- )?)([\w./-]+)(:)(?=\s|$)/.exec(text.slice(0, at));

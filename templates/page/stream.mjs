@@ -1,9 +1,9 @@
-// The messages of a running program: a client of Foxglove's WebSocket protocol, at the server that shows this page.
+// Messages of a running program: client of Foxglove's WebSocket protocol on the server of this page.
 
 const kStreamProtocol = "foxglove.websocket.v1";
 
 export class StreamClient {
-  /** `onMessage(topic, message, time_ns)` of each message; `changed(text)` when the connection is another one. */
+  /** `onMessage(topic, message, time_ns)` is called for each message, `changed(text)` when the connection changes. */
   constructor(onMessage, changed) {
     this.onMessage = onMessage;
     this.changed = changed;
@@ -15,7 +15,7 @@ export class StreamClient {
   }
 
   connect() {
-    // The key is the one of this page's own address.
+    // The key is part of the address of this page.
     this.socket = new WebSocket(`ws://${location.host}/${location.search}`, [kStreamProtocol]);
     this.socket.binaryType = "arraybuffer";
     this.socket.onmessage = ({data: bytes}) => (typeof bytes === "string" ? this.read(bytes) : this.readBytes(bytes));
@@ -47,7 +47,7 @@ export class StreamClient {
     this.onMessage(topic, message, Number(view.getBigUint64(5, true)));
   }
 
-  /** From now on, these topics and no others. */
+  /** Subscribes to these topics and no others. */
   want(topics) {
     this.wanted = new Set(topics);
     this.subscribe();

@@ -1,5 +1,4 @@
-// What a run sends, where the page has a place for it: values at the wires of the drawing, measured times in the
-// timetable.
+// Live data of a run in other views: values at the wires of the drawing, and measured times in the timetable.
 import {data, nodes} from "./data.mjs";
 import {svg} from "./elements.mjs";
 import {graphView} from "./graph_drawing.mjs";
@@ -11,7 +10,7 @@ import {fitTimetable, placeTimetable, timetable} from "./timetable_canvas.mjs";
 // ---- Wires ----------------------------------------------------------------------------------------------------------
 const kWireValues = 3;
 
-/** The channel that a wire carries; null: none of a graph's channels. */
+/** Channel that a wire carries; null if it carries none. */
 function channelOfWire(wire) {
   if (!wire.readers.length) return null;
   const [reader, input] = wire.readers[0];
@@ -20,7 +19,7 @@ function channelOfWire(wire) {
   return number === null ? null : data.channels[number].name;
 }
 
-/** Texts for the wires of a drawing; made when it is shown first. */
+/** Texts at the wires of a drawing, created when it is first shown. */
 function wireValues(drawing) {
   drawing.values ??= drawing.wires.map((wire) => {
     const channel = channelOfWire(wire);
@@ -32,7 +31,7 @@ function wireValues(drawing) {
   return drawing.values.filter(Boolean);
 }
 
-/** `latest`: channel: what /monitor says of it. */
+/** `latest`: data of /monitor by channel. */
 export function showOnWires(latest) {
   if (state.view.id !== "graph" || !graphView.shown) return;
   for (const {channel, text} of wireValues(graphView.shown)) {
@@ -45,7 +44,7 @@ export function showOnWires(latest) {
 }
 
 // ---- Timetable ------------------------------------------------------------------------------------------------------
-/** The newest times of each node, by its first channel that has come. */
+/** Newest times of each node, from its first channel that has sent a message. */
 function measureStream(channels) {
   const times = new Map();
   for (const said of channels) {
@@ -56,7 +55,7 @@ function measureStream(channels) {
   return times;
 }
 
-/** The timetable moves on so that the last ticks are in it. */
+/** Scrolls the timetable so that it contains the latest ticks. */
 function followTimetable() {
   let end = 0;
   for (const [node, {first, late}] of timetable.measured) end = Math.max(end, (first + late.length) * periodOf(node));

@@ -1,4 +1,4 @@
-// The view of a running program.
+// View of a running program.
 import {onFrame, prepare} from "./canvas.mjs";
 import {data, nodes} from "./data.mjs";
 import {add, breakable, card, el, table, tiles} from "./elements.mjs";
@@ -12,7 +12,7 @@ import {showOnWires, streamTimes} from "./stream_shown.mjs";
 import {moreViews} from "./views.mjs";
 
 const stream = {
-  latest: new Map(),  // channel: what /monitor says of it
+  latest: new Map(),  // data of /monitor by channel
   scene: null,
   said: null
 };
@@ -63,7 +63,7 @@ function streamTable(channels) {
       channels);
 }
 
-/** /monitor: five times a second. */
+/** Handles /monitor, which arrives five times per second. */
 function takeMonitor(said) {
   stream.said = said;
   stream.latest = new Map(said.channels.map((channel) => [channel.name, channel]));

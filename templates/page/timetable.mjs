@@ -1,4 +1,4 @@
-// The timetable as a view: zoom, keys, what the pointer is at, measured times.
+// Timetable view: zoom, keyboard, data at the pointer, measured times.
 import {data, nodes} from "./data.mjs";
 import {add, button, el, segment, table} from "./elements.mjs";
 import {count, counted, floats, seconds} from "./numbers.mjs";
@@ -55,7 +55,7 @@ function latestOf(channel) {
   return latest ? seconds(latest) : "–";
 }
 
-/** Times of a paced trace: of each node those of its first channel. */
+/** Measured times of a paced trace: for each node, those of its first channel. */
 function measure(log) {
   timetable.measured = null;
   if (log) {
@@ -69,12 +69,12 @@ function measure(log) {
   timetable.draw();
 }
 
-/** The image whose bounds are shown: the first one with times of all slots. */
+/** Image whose bounds are shown: the first one with times of all slots. */
 function boundImage() {
   return data.images.find((image) => image.time && image.time.fit);
 }
 
-/** "the slot of 30 Hz takes up to 6.8 % of its time" */
+/** Load of a rate as text: "the slot of 30 Hz takes up to 6.8 % of its time". */
 function loadText({name, time}) {
   const {busiest} = time.fit;
   const percent = (100 * busiest.load).toFixed(1);

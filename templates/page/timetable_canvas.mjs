@@ -1,5 +1,5 @@
-// The timetable as it is painted: the ticks of the schedule, what the selected node reads at each, measured times of a
-// paced trace, and the latest times by the bound of an image. Times are in seconds since the beginning of an episode.
+// Painting of the timetable: ticks of the schedule, messages that the selected node reads at each tick, measured times
+// of a paced trace, and upper bounds of the times for an image. Times are in seconds since the beginning of an episode.
 import {colour, onFrame, prepare, shade} from "./canvas.mjs";
 import {data, nodes} from "./data.mjs";
 import {el} from "./elements.mjs";
@@ -13,8 +13,8 @@ export const timetable = {
   span: 1,
   scroll: 0,
   measured: null,
-  bound: null,   // [rate classes] the latest time of outputs in their slots
-  stream: null,  // of pages that receive the messages of a run: {choose(whether its times are shown)}
+  bound: null,   // [rate classes] latest time of outputs in their slots
+  stream: null,  // on pages that receive live messages: {choose(whether their times are shown)}
   canvas: el("canvas"),
   draw: null
 };
@@ -104,7 +104,7 @@ function drawRows({context, width, y, first, last}) {
   }
 }
 
-/** Where hyperperiods begin, and steps of the environment. */
+/** Draws the beginnings of hyperperiods and of environment steps. */
 function drawGrid({context, width, height, left, x, y}, top) {
   const bottom = Math.min(height, y(order.length - 1) + kRow / 2);
   const line = (period, style, thick) => {
@@ -182,7 +182,7 @@ function drawMeasured(context, node, y, x, step, from, to) {
   });
 }
 
-/** Lines from a message to the tick that reads it, of what is selected. */
+/** Draws lines from messages of the selection to the ticks that read them. */
 function drawReads({context, width, left, x, y}) {
   const {selected} = state;
   if (!selected || selected.object !== undefined || selected.composite !== undefined) return;

@@ -1,5 +1,5 @@
-// Plots of what runs sent: one cursor through all, episodes over each other or side by side. Of long traces each point
-// is the least and the greatest value of a part of the time.
+// Plots of runs with a common cursor, and episodes superimposed or side by side. In long traces, each point is the
+// minimum and the maximum over an interval.
 import {data} from "./data.mjs";
 import {add, breakable, button, el, segment, table} from "./elements.mjs";
 import {count, counted, list} from "./numbers.mjs";
@@ -173,7 +173,7 @@ function plotsKey(event) {
   event.preventDefault();
 }
 
-/** The time under the pointer, and how many seconds a pixel is; null if it is on no plot. */
+/** Time at the pointer, and seconds per pixel; null if the pointer is not on a plot. */
 function plotAt(event) {
   const canvas = event.target.closest("canvas");
   if (!canvas) return null;
@@ -221,7 +221,7 @@ export function makeTracesView(panel) {
   });
   plots.stage.addEventListener("wheel", (event) => {
     const at = plotAt(event);
-    if (!at || event.shiftKey) return;  // scrolls
+    if (!at || event.shiftKey) return;  // the page scrolls
     event.preventDefault();
     zoomPlots(Math.exp(event.deltaY * 0.0015), at.time);
   }, {passive: false});

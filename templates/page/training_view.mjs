@@ -1,4 +1,4 @@
-// The record of a training: its curves, its settings, how it ended, its best and its worst episode.
+// Record of a training: its curves, settings and result, and its best and worst episodes.
 import {prepare} from "./canvas.mjs";
 import {chartBox} from "./charts.mjs";
 import {data} from "./data.mjs";
@@ -21,7 +21,7 @@ const endings = {
 const endingOf = ({ended}) => endings[ended] ?? "it is running, or was killed";
 const percent = (part, of) => (of ? `${short((100 * part) / of, 4)} %` : "–");
 
-// Where the time of all threads went, and how fast each of them was.
+// Time that all threads spent on each kind of work, and the speed of each kind.
 const kWork = ["simulation", "inference", "learning", "evaluation", "waiting"];
 function timeFacts(time) {
   if (!time) return [];
@@ -39,7 +39,7 @@ function timeFacts(time) {
   });
 }
 
-// ---- How it went ----------------------------------------------------------------------------------------------------
+// ---- Result ---------------------------------------------------------------------------------------------------------
 function trainingCard(training) {
   const best = training.trainings[training.best];
   if (!best) return card("Training", el("p.note", {}, "It has made no iteration yet."));
@@ -66,7 +66,7 @@ function trainingCard(training) {
       best.help ? el("p.note", {}, best.help) : null, holdsIt(best), pairs(given));
 }
 
-/** What the trainer has said of one that did not succeed. */
+/** Explanations that the trainer gave for a training that did not succeed. */
 function holdsIt({signs}) {
   if (!signs || !signs.length) return null;
   return [el("h3", {}, "What holds it"), el("ul.signs", {}, signs.map((sign) => el("li", {}, sign)))];
@@ -91,7 +91,7 @@ function seedsCard(training) {
           training.trainings));
 }
 
-// ---- The last evaluation --------------------------------------------------------------------------------------------
+// ---- Last evaluation ------------------------------------------------------------------------------------------------
 function evaluationCard(training) {
   const evaluation = training.trainings[training.best]?.evaluation;
   if (!evaluation) return null;
@@ -113,7 +113,7 @@ function evaluationCard(training) {
       returnsChart(training));
 }
 
-/** All episodes from the lowest return to the highest. */
+/** Returns of all episodes, in ascending order. */
 function returnsChart({returns, has_success}) {
   if (!returns) return null;
   const of = (good) => {
@@ -130,7 +130,7 @@ function returnsChart({returns, has_success}) {
 const trainingCharts = [];
 
 // ---- Episodes -------------------------------------------------------------------------------------------------------
-/** The run of the traces that is this episode; undefined: there is none. */
+/** Run in the traces that is this episode; undefined if there is none. */
 const runOf = (what) => runs.find((run) => run.log.title?.startsWith(`${what} `));
 
 function moments(run) {
@@ -212,7 +212,7 @@ function nextCard({next}) {
       next.map(({about, command}) => [el("p.note", {}, about), el("pre.lines", {}, command)]));
 }
 
-// ---- A sweep --------------------------------------------------------------------------------------------------------
+// ---- Sweep ----------------------------------------------------------------------------------------------------------
 function sweepCard({names, cases}) {
   return card(
       "Settings, the best first",

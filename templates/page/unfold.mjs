@@ -1,7 +1,7 @@
-// Composites that are open, within a drawing: the generator places them closed, and what is in each of them by itself.
-// A box that opens moves what stands right of it to the right, and what stands below it in its column down.
+// Drawings with open composites. The generator places composites closed, and the content of each one separately. A box
+// that opens moves boxes on its right to the right, and boxes below it in its column down.
 
-/** The d of a path through points; against the direction of reading along right angles. */
+/** SVG path through points, with right angles if it runs against the reading direction. */
 export function pathOf(points, backwards) {
   const [first, ...rest] = points;
   let d = `M${first[0]} ${first[1]}`, [x, y] = first;
@@ -13,9 +13,9 @@ export function pathOf(points, backwards) {
   return d;
 }
 
-/** How what is open stretches a drawing: `x(at)`, and of the column that ends at `right` `y(right, at)`. */
+/** Shifts that open boxes cause: `x(at)`, and `y(right, at)` in the column that ends at `right`. */
 function stretchOf(boxes) {
-  const columns = new Map();  // by their right edges: how much wider, and what lies below what
+  const columns = new Map();  // by right edge: added width, and height added below which position
   for (const {box, width, height} of boxes) {
     const right = box.x + box.width;
     const column = columns.get(right) || {wider: 0, lower: []};
@@ -33,8 +33,8 @@ function stretchOf(boxes) {
 }
 
 /**
- * A drawing with boxes and wires in one list each, those of open composites among them. An open box has `open`; what is
- * in it has it as `around`.
+ * Drawing with all boxes in one list and all wires in another, including those in open composites. An open box has
+ * `open`; boxes in it have its index as `around`.
  */
 export function unfold(drawing, opened) {
   const inner =
@@ -82,7 +82,7 @@ export function unfold(drawing, opened) {
         [stretch.x(left[0]), end[1]]
       ];
     } else {
-      // Pairs of points at the left and right of a column that it passes.
+      // Pairs of points at the left and right of each column that the wire passes.
       points = inside.map(([x, y], p) => [stretch.x(x), stretch.y(inside[p | 1][0], y)]);
       if (stretch.x(edge) > begin[0]) points.unshift([stretch.x(edge), begin[1]]);
     }
@@ -92,10 +92,10 @@ export function unfold(drawing, opened) {
     if (part) place(part, numbers[i]);
   });
 
-  /** What is in the open box `around` among the rest. */
+  /** Adds the content of the open box `around` to the drawing. */
   function place(part, around) {
     const frame = result.boxes[around];
-    const base = result.boxes.length - 2;  // the ends of the part are the frame itself
+    const base = result.boxes.length - 2;  // the two ends of the part are the frame itself
     for (const box of part.boxes.slice(2))
       result.boxes.push({
         ...box,
@@ -119,7 +119,7 @@ export function unfold(drawing, opened) {
   return result;
 }
 
-/** Whether a box, or what is in it, is what `is` says. */
+/** True if `is` accepts a box, or one inside it. */
 export function holds(box, is) {
   return is(box) || (box.inside !== undefined && box.inside.boxes.some((inner) => holds(inner, is)));
 }

@@ -1,20 +1,22 @@
-// The views of the page, of which one is shown.
+// Views of the page, one of which is visible.
 import {hideTip} from "./pointer.mjs";
 import {state} from "./selection.mjs";
 
-/** {id, name, make(panel), there, badge, tab, panel, parts}: those of this page, in the order of their tabs. */
+/** {id, name, make(panel), there, badge, tab, panel, parts} of the views of this page, in the order of their tabs. */
 export const views = [];
 
-/** Functions that make views which only some pages have, by their ids: their modules put them here. */
+/** Functions that create views of only some pages, by ID. The modules of these views add them. */
 export const moreViews = new Map();
 
-/** Of a page that edits: whether its data are those of an older graph. Then only the view that edits is right. */
+/**
+ * State of the data on a page with the editor. Stale data are those of an older graph: only the editor is up to date.
+ */
 export const freshness = {
   stale: false,
   shown: undefined  // revision of the data
 };
 
-/** A view is made when it is looked at first. */
+/** Shows a view, and creates it the first time. */
 export function showView(id) {
   const view = views.find((other) => other.id === id) || views[0];
   if (freshness.stale && view.id !== "edit") {
