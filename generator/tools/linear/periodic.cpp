@@ -206,19 +206,14 @@ OutputFeedback output_feedback(const PeriodicProblem& problem, const MatrixXd& g
 
 std::optional<MatrixXd> least_output_feedback(const PeriodicProblem& problem, MatrixXd gain) {
   constexpr int kRounds = 60, kFew = 30, kMany = 500;
-  constexpr double kFarthest = 0.03, kNearest = 1e-5;
+  constexpr double kInside = 0.97;
   const double phases = static_cast<double>(problem.size());
-  double shrink = 0.0, inside = kFarthest;
+  double shrink = 1.0;
   for (int round = 0; round < kRounds; ++round) {
     const double radius = output_feedback(problem, gain).spectral_radius;
     if (radius < 1.0) return Descent(problem, 1.0).from(gain, kMany);
-    const double next = (1.0 - inside) / std::pow(radius, 1.0 / phases);
-    if (next <= shrink * (1.0 + 1e-9)) {
-      // Nearer to the limit, the modes that are not stable cost more of all.
-      inside /= 4.0;
-      if (inside < kNearest) return std::nullopt;
-      continue;
-    }
+    const double next = kInside / std::pow(radius, 1.0 / phases);
+    if (round > 0 && next <= shrink * (1.0 + 1e-9)) return std::nullopt;
     shrink = next;
     gain = Descent(problem, shrink).from(gain, kFew);
   }
