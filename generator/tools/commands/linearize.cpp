@@ -93,7 +93,52 @@ int print_node(Run& run, const LinearizeOptions& options, const LinearReport& re
   return finish(run, options);
 }
 
-/// What the page of `serve` shows of the loop, and the parameters that its sliders set.
+/// Bounds as in Space; null for none.
+Json bound_json(const std::vector<double>& bounds, std::size_t i) {
+  if (bounds.empty()) return nullptr;
+  const double bound = bounds[bounds.size() == 1 ? 0 : i];
+  return std::isfinite(bound) ? Json(bound) : Json(nullptr);
+}
+
+/// The numbers of a tunable parameter in the graph; none if it is no such parameter.
+std::vector<double> tunable_value(const Config& config, const std::string& name) {
+  for (const ConfigValue& each : config) {
+    if (each.parameter->name.value != name || !each.parameter->tunable) continue;
+    if (const auto* const list = std::get_if<std::vector<double>>(&each.value)) return *list;
+    if (const auto* const number = std::get_if<double>(&each.value)) return {*number};
+  }
+  return {};
+}
+
+/// The tunable parameters of an object or a node that `there` does not list: a program prints the
+/// states that a reset sets, and these keep the values of the graph until `--at` sets them.
+template <class Owner>
+void add_tunable(Json& list, const Owner& owner, const Hyperperiod& there) {
+  const auto& listed = *list.as<Json::List>();
+  for (const State& state : owner.states) {
+    const std::string name = owner.name + "." + state.name;
+    const std::vector<double> written = tunable_value(owner.config, state.name);
+    if (written.empty() || std::ranges::any_of(listed, [&](const Json& each) {
+          return text_of(member(&each, "name")) == name;
+        }))
+      continue;
+    Json values = Json::list(), low = Json::list(), high = Json::list();
+    for (std::size_t i = 0; i < written.size(); ++i) {
+      const auto set = std::ranges::find_if(there.states, [&](const ResetElement& each) {
+        return each.state == name && each.element == i;
+      });
+      values.push_back(set != there.states.end() ? set->value : written[i]);
+      low.push_back(bound_json(state.space.low, i));
+      high.push_back(bound_json(state.space.high, i));
+    }
+    list.push_back(Json{{"name", name},
+                        {"values", std::move(values)},
+                        {"low", std::move(low)},
+                        {"high", std::move(high)}});
+  }
+}
+
+/// The loop for the page of `serve`, and the parameters that its sliders set.
 std::optional<std::string> page_text(Run& run, const Linearized& at, const LoopCurves& curves,
                                      const LinearReport& report, int& code) {
   std::vector<std::string> words = at.words;
@@ -101,7 +146,10 @@ std::optional<std::string> page_text(Run& run, const Linearized& at, const LoopC
   const auto there = hyperperiod_of(run, at.image, words, code);
   if (!there) return std::nullopt;
   Json json = loop_page_json(curves, report);
-  json["parameters"] = parameters_json(*there);
+  Json parameters = parameters_json(*there);
+  for (const Object& each : run.graph->objects) add_tunable(parameters, each, *there);
+  for (const GraphNode& each : run.graph->nodes) add_tunable(parameters, each, *there);
+  json["parameters"] = std::move(parameters);
   return dump_json(json) + "\n";
 }
 
