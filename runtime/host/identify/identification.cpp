@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <runtime/host/base/counted.hpp>
@@ -50,15 +51,30 @@ void for_each_state(const std::vector<Parameter>& parameters, F&& f) {
 
 }  // namespace
 
-/// Those of the parameters that change what the sensors say.
+/// Whether another value changes what the sensors report, from rest or from states of 1: an
+/// equation without input stays at rest whatever its parameters are. True if neither run is finite,
+/// which the solver reports.
+bool Identification::matters(std::size_t parameter) {
+  const double step = (parameters_[parameter].high - parameters_[parameter].low) / 4;
+  bool is_known = false;
+  for (const double state : {0.0, 1.0}) {
+    Trial tried = full_;
+    std::ranges::fill(tried.states, state);
+    const std::vector<double> middle = run_(tried);
+    tried.parameters[parameter] += step;
+    const std::vector<double>& other = run_(tried);
+    const auto is_finite = [](double x) { return std::isfinite(x); };
+    if (!std::ranges::all_of(middle, is_finite) || !std::ranges::all_of(other, is_finite)) continue;
+    if (other != middle) return true;
+    is_known = true;
+  }
+  return !is_known;
+}
+
+/// Those of the parameters that change what the sensors report.
 bool Identification::choose_parameters(std::string& problem) {
-  const std::vector<double> middle = run_(full_);
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
-    const Parameter& parameter = parameters_[i];
-    if (!(parameter.high > parameter.low)) continue;
-    Trial other = full_;
-    other.parameters[i] += (parameter.high - parameter.low) / 4;
-    if (run_(other) == middle) continue;
+    if (!(parameters_[i].high > parameters_[i].low) || !matters(i)) continue;
     parameters_[i].matters = true;
     chosen_.push_back(i);
   }

@@ -305,6 +305,74 @@ TEST(Identify, StepsOfAGraphWithoutActions) {
   EXPECT_EQ(experiment.steps(0), 200U);
 }
 
+/// x' = -rate·x, seen by a sensor, without an input.
+class Decay {
+ public:
+  static constexpr std::array<Channel, 2> kDecayChannels{{
+      {"cart/speed/y", "float64", 1, kEngineHz, 1, Publisher::engine_node},
+      {"engine/tick", "int64", 1, kEngineHz, 1, Publisher::engine},
+  }};
+  double rate_hz = 0.0;
+
+  void run(double start, Experiment* experiment, const std::function<void(Seq, double&)>& message) {
+    state_ = {start};
+    for (Seq tick = 0; tick < kTicks; ++tick) {
+      if (tick > 0) {
+        if (experiment != nullptr) experiment->engine_runs();
+        state_[0] *= std::exp(-rate_hz / static_cast<double>(kEngineHz));
+      }
+      if (experiment != nullptr)
+        experiment->simulator("cart", tick, {{nullptr, state_.data(), 1}, {nullptr, nullptr, 0}});
+      double speed = state_[0];
+      message(tick, speed);
+    }
+  }
+
+ private:
+  std::array<double, 1> state_{};
+};
+
+/// From rest no value of the parameter changes anything.
+TEST(Identify, AnEquationThatRestsWithoutInput) {
+  constexpr double kRate_hz = 0.7;
+  trace_log::Log log;
+  log.engine = "OdeEngine";
+  log.complete = true;
+  log.channels = {{"cart/speed/y", trace_log::Dtype::float64, 1, kEngineHz, 1},
+                  {"engine/tick", trace_log::Dtype::int64, 1, kEngineHz, 1}};
+  Decay decay;
+  decay.rate_hz = kRate_hz;
+  decay.run(2.0, nullptr, [&](Seq seq, double& value) {
+    trace_log::Row row;
+    row.first = log.values.size();
+    row.seq = seq;
+    log.rows.push_back(row);
+    log.values.push_back(std::bit_cast<std::uint64_t>(value));
+  });
+
+  Experiment experiment;
+  std::string problem;
+  ASSERT_TRUE(
+      experiment.prepare(log, {Decay::kDecayChannels, "OdeEngine", 50, 1}, "", 0.5, problem));
+  std::vector<Parameter> parameters{{"cart.rate", 0, 1, true, 0.2, 2.0}};
+  const auto run = [&](const Trial* trial) -> const std::vector<double>& {
+    decay.rate_hz = trial != nullptr ? trial->parameters[0] : 1.0;
+    experiment.begin(trial);
+    experiment.episode(0);
+    decay.run(0.0, &experiment,
+              [&](Seq seq, double& value) { experiment.message(0, seq, &value, 1); });
+    return experiment.residuals();
+  };
+  run(nullptr);
+  experiment.find_actuators();
+  run(nullptr);
+  Identification identification(
+      experiment, parameters, [&](const Trial& trial) -> const auto& { return run(&trial); });
+  ASSERT_TRUE(identification.find(1.0 / static_cast<double>(kEngineHz), 0.1, problem)) << problem;
+  EXPECT_TRUE(parameters[0].matters);
+  EXPECT_NEAR(parameters[0].value, kRate_hz, 1e-6);
+}
+
 /// The YAML is pasted into a graph, where the states of a composite's objects are `body.mass`
 /// below the composite.
 TEST(Identify, StatesOfCompositesAreWrittenAsGraphsHaveThem) {
