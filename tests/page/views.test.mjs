@@ -177,3 +177,21 @@ test("search finds what has a name, the nearest first", () => {
   box.send("input");
   assert.equal(found.textContent, "nothing");
 });
+
+test("Fit shows all of a high graph and, again, its whole width from the top", () => {
+  const {run, frames} = open("examples/pendulum_swing_up/graph.yaml");
+  run("showView('graph')");
+  passFrames(frames);
+  const {width, height} = run("graphSvg.getBoundingClientRect()");
+  assert.ok(width > 400 && height > 100);
+  run(`graphView.shown.width = ${width / 2}; graphView.shown.height = ${10 * height}; zoomGraph(3); fitGraphOrWidth()`);
+  const all = run("({...graphView})");
+  assert.ok(all.y + 10 * height * all.zoom <= height, "all of it is in the window");
+  run("fitGraphOrWidth()");
+  const wide = run("({...graphView})");
+  assert.equal(wide.zoom, 1.5, "at most");
+  assert.equal(wide.x, (width - 1.5 * width / 2) / 2);
+  assert.equal(wide.y, 50);
+  run("fitGraphOrWidth()");
+  assert.equal(run("graphView.zoom"), all.zoom);
+});
