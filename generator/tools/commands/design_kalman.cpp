@@ -37,7 +37,7 @@ std::vector<std::optional<double>> modelled_noise(const Graph& graph, std::size_
   variances.resize(node.outputs.empty() ? 0 : node.outputs.front().space.size());
   if (id != "SensorModel") return variances;
   const auto each = [&](const char* name, std::size_t i) {
-    const std::vector<double> values = parameter_of(node, name);
+    const std::vector<double> values = parameter_of(node.config, name);
     return values.empty() ? 0.0 : values[values.size() == 1 ? 0 : i];
   };
   for (std::size_t i = 0; i < variances.size(); ++i) {
@@ -137,10 +137,10 @@ class KalmanValues {
 /// The model of the node, or with `--model` that of the graph. False with a problem, in `problem`.
 bool find_model(DesignRun& run, const KalmanOptions& options, KalmanRequest& request,
                 DesignReport& report, std::string& problem, std::string& help) {
-  const auto order = static_cast<std::size_t>(parameter_of(run.node(), "order").front());
+  const auto order = static_cast<std::size_t>(parameter_of(run.node().config, "order").front());
   if (!options.model) {
-    request.model = {order, parameter_of(run.node(), "a"), parameter_of(run.node(), "b"),
-                     parameter_of(run.node(), "c")};
+    request.model = {order, parameter_of(run.node().config, "a"),
+                     parameter_of(run.node().config, "b"), parameter_of(run.node().config, "c")};
     return true;
   }
   const Input* const u = run.input("u");

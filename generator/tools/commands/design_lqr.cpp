@@ -31,7 +31,7 @@ class LqrValues {
   std::vector<std::size_t> seen;  // channels of further ports
 
   bool read() {
-    request.gain = parameter_of(run_.node(), "gain");
+    request.gain = parameter_of(run_.node().config, "gain");
     for (const std::string& text : options_.deviations) {
       const auto value = split_value("--deviation", text, run_.diagnostics());
       if (!value || !take(*value, text)) return false;
@@ -104,7 +104,7 @@ class LqrValues {
         return false;
     }
     const auto limit = [&](const char* name, std::size_t i) {
-      const std::vector<double> values = parameter_of(run_.node(), name);
+      const std::vector<double> values = parameter_of(run_.node().config, name);
       return values.empty() ? 0.0 : std::abs(values[values.size() == 1 ? 0 : i]);
     };
     for (std::size_t i = 0; i < rows; ++i) {

@@ -24,7 +24,7 @@ PidRequest::Terms terms_of(const PidOptions& options, const GraphNode& node) {
   if (options.terms == "pd") return Terms::pd;
   if (options.terms == "pid") return Terms::pid;
   const auto has = [&](const char* name) {
-    const std::vector<double> values = parameter_of(node, name);
+    const std::vector<double> values = parameter_of(node.config, name);
     return !values.empty() && values.front() != 0.0;
   };
   if (has("kd")) return has("ki") ? Terms::pid : Terms::pd;

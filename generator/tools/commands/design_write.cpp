@@ -93,7 +93,7 @@ bool has_values(const Graph& graph, const std::string& node,
   const auto found = ranges::find(graph.nodes, node, &GraphNode::name);
   return found != graph.nodes.end() &&
          std::ranges::all_of(parameters, [&](const DesignedParameter& each) {
-           return parameter_of(*found, each.name) == each.values;
+           return parameter_of(found->config, each.name) == each.values;
          });
 }
 
@@ -119,10 +119,10 @@ void set_parameters(GraphNode& node, const std::vector<DesignedParameter>& param
   }
 }
 
-std::vector<double> parameter_of(const GraphNode& node, const std::string& name) {
+std::vector<double> parameter_of(const Config& config, const std::string& name) {
   const auto found = std::ranges::find_if(
-      node.config, [&](const ConfigValue& value) { return value.parameter->name.value == name; });
-  if (found == node.config.end()) return {};
+      config, [&](const ConfigValue& value) { return value.parameter->name.value == name; });
+  if (found == config.end()) return {};
   if (const auto* const list = std::get_if<std::vector<double>>(&found->value)) return *list;
   if (const auto* const number = std::get_if<double>(&found->value)) return {*number};
   if (const auto* const whole = std::get_if<std::int64_t>(&found->value))

@@ -11,8 +11,8 @@ namespace eagerx::gen {
 
 /// Gives a node of a graph these values, in memory.
 void set_parameters(GraphNode& node, const std::vector<DesignedParameter>& parameters);
-/// The numbers of a parameter that a node has, one or several.
-std::vector<double> parameter_of(const GraphNode& node, const std::string& name);
+/// The numbers of a parameter, one or several; none if there is no such parameter.
+std::vector<double> parameter_of(const Config& config, const std::string& name);
 
 /// Writes them where the graph's file has them: below the node, or below the composite that hands
 /// a parameter of its own on to it. All else stays as it is written. E0523 where that is not

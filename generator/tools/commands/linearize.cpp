@@ -11,6 +11,7 @@
 #include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/frontend/read/scalar.hpp"
+#include "generator/tools/commands/design_write.hpp"
 #include "generator/tools/commands/linear_program.hpp"
 #include "generator/tools/commands/opened_loop.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
@@ -100,14 +101,10 @@ Json bound_json(const std::vector<double>& bounds, std::size_t i) {
   return std::isfinite(bound) ? Json(bound) : Json(nullptr);
 }
 
-/// The numbers of a tunable parameter in the graph; none if it is no such parameter.
-std::vector<double> tunable_value(const Config& config, const std::string& name) {
-  for (const ConfigValue& each : config) {
-    if (each.parameter->name.value != name || !each.parameter->tunable) continue;
-    if (const auto* const list = std::get_if<std::vector<double>>(&each.value)) return *list;
-    if (const auto* const number = std::get_if<double>(&each.value)) return {*number};
-  }
-  return {};
+bool is_tunable(const Config& config, const std::string& name) {
+  return std::ranges::any_of(config, [&](const ConfigValue& each) {
+    return each.parameter->name.value == name && each.parameter->tunable;
+  });
 }
 
 /// The tunable parameters of an object or a node that `there` does not list: a program prints the
@@ -117,10 +114,10 @@ void add_tunable(Json& list, const Owner& owner, const Hyperperiod& there) {
   const auto& listed = *list.as<Json::List>();
   for (const State& state : owner.states) {
     const std::string name = owner.name + "." + state.name;
-    const std::vector<double> written = tunable_value(owner.config, state.name);
-    if (written.empty() || std::ranges::any_of(listed, [&](const Json& each) {
-          return text_of(member(&each, "name")) == name;
-        }))
+    const std::vector<double> written = parameter_of(owner.config, state.name);
+    const bool is_listed = std::ranges::any_of(
+        listed, [&](const Json& each) { return text_of(member(&each, "name")) == name; });
+    if (!state.settable || is_listed || written.empty() || !is_tunable(owner.config, state.name))
       continue;
     Json values = Json::list(), low = Json::list(), high = Json::list();
     for (std::size_t i = 0; i < written.size(); ++i) {

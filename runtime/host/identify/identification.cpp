@@ -51,32 +51,34 @@ void for_each_state(const std::vector<Parameter>& parameters, F&& f) {
 
 }  // namespace
 
-/// Whether another value changes what the sensors report, from rest or from states of 1: an
-/// equation without input stays at rest whatever its parameters are. True if neither run is finite,
-/// which the solver reports.
-bool Identification::matters(std::size_t parameter) {
-  const double step = (parameters_[parameter].high - parameters_[parameter].low) / 4;
-  bool is_known = false;
-  for (const double state : {0.0, 1.0}) {
-    Trial tried = full_;
-    std::ranges::fill(tried.states, state);
-    const std::vector<double> middle = run_(tried);
-    tried.parameters[parameter] += step;
-    const std::vector<double>& other = run_(tried);
-    const auto is_finite = [](double x) { return std::isfinite(x); };
-    if (!std::ranges::all_of(middle, is_finite) || !std::ranges::all_of(other, is_finite)) continue;
-    if (other != middle) return true;
-    is_known = true;
+/// Marks the parameters that change what the sensors report in a run whose states begin at `state`.
+/// False if that run is not finite.
+bool Identification::mark_parameters(double state) {
+  Trial tried = full_;
+  std::ranges::fill(tried.states, state);
+  const std::vector<double> middle = run_(tried);
+  if (!std::ranges::all_of(middle, [](double x) { return std::isfinite(x); })) return false;
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    Parameter& parameter = parameters_[i];
+    if (parameter.matters || !(parameter.high > parameter.low)) continue;
+    Trial other = tried;
+    other.parameters[i] += (parameter.high - parameter.low) / 4;
+    parameter.matters = run_(other) != middle;
   }
-  return !is_known;
+  return true;
 }
 
-/// Those of the parameters that change what the sensors report.
+/// Those of the parameters that change what the sensors report. From rest, an equation without
+/// input stays there whatever its parameters are, so those that seem to change nothing are tried
+/// from another state.
 bool Identification::choose_parameters(std::string& problem) {
+  const auto is_open = [](const Parameter& each) { return each.high > each.low && !each.matters; };
+  bool is_finite = mark_parameters(0.0);
+  if (std::ranges::any_of(parameters_, is_open)) is_finite = mark_parameters(1.0) || is_finite;
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
-    if (!(parameters_[i].high > parameters_[i].low) || !matters(i)) continue;
-    parameters_[i].matters = true;
-    chosen_.push_back(i);
+    // The solver reports a simulation that is never finite.
+    if (!is_finite && is_open(parameters_[i])) parameters_[i].matters = true;
+    if (parameters_[i].matters) chosen_.push_back(i);
   }
   if (chosen_.empty() && experiment_.actuators().empty()) {
     problem =

@@ -45,7 +45,7 @@ class Identification {
   std::string yaml(const trace_log::Log& log, std::span<const Channel> channels) const;
 
  private:
-  bool matters(std::size_t parameter);
+  bool mark_parameters(double state);
   bool choose_parameters(std::string& problem);
   const std::vector<double>& run_chosen(const Trial& trial);
   bool find_delay(std::size_t actuator, double most, LeastSquares& solver, Trial& trial) const;

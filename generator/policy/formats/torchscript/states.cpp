@@ -126,11 +126,11 @@ class HistoryBuffer {
     ages_.assign(origins_.size(), kOpen);
     news_.assign(origins_.size(), 0);
     for (std::uint32_t i = 0; i < origins_.size(); ++i) {
-      std::vector<std::uint32_t> way;
+      std::vector<std::uint32_t> path;
       std::uint32_t at = i;
       while (ages_[at] == kOpen && origins_[at].step == step_) {
-        if (way.size() > origins_.size()) return false;  // a number that stays
-        way.push_back(at);
+        if (path.size() > origins_.size()) return false;  // a number that stays
+        path.push_back(at);
         at = origins_[at].at;
       }
       if (ages_[at] == kOpen) {
@@ -138,7 +138,7 @@ class HistoryBuffer {
         news_[at] =
             static_cast<std::uint32_t>(std::distance(taken_.begin(), taken_.find(origins_[at].at)));
       }
-      for (auto from = way.rbegin(); from != way.rend(); ++from) {
+      for (auto from = path.rbegin(); from != path.rend(); ++from) {
         ages_[*from] = ages_[at] + 1;
         news_[*from] = news_[at];
         at = *from;
