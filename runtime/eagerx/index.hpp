@@ -26,6 +26,7 @@ template <std::size_t Size>
 #include <cstddef>
 #include <cstdint>
 #include <source_location>
+#include <version>
 
 /// Reports the index and ends the program. On Linux, runtime/host/base defines it.
 extern "C" [[gnu::weak]] void eagerx_index_is_outside(const char* file, std::uint_least32_t line,
@@ -34,12 +35,37 @@ extern "C" [[gnu::weak]] void eagerx_index_is_outside(const char* file, std::uin
 
 namespace eagerx {
 
+#ifdef __cpp_lib_source_location
+using SourcePlace = std::source_location;
+#else  // Clang 14 has the builtin functions, but not the one that libstdc++ asks for
+class SourcePlace {
+ public:
+  static constexpr SourcePlace current(const char* file = __builtin_FILE(),
+                                       std::uint_least32_t line = __builtin_LINE(),
+                                       const char* function = __builtin_FUNCTION()) {
+    SourcePlace result;
+    result.file_ = file;
+    result.line_ = line;
+    result.function_ = function;
+    return result;
+  }
+  constexpr const char* file_name() const { return file_; }
+  constexpr std::uint_least32_t line() const { return line_; }
+  constexpr const char* function_name() const { return function_; }
+
+ private:
+  const char* file_ = "";
+  std::uint_least32_t line_ = 0;
+  const char* function_ = "";
+};
+#endif
+
 /// A number, and the place in the source where it became an index.
 class Index {
  public:
   // Not explicit, so that `message[i]` compiles.
   constexpr Index(  // NOLINT(google-explicit-constructor)
-      std::size_t value, std::source_location place = std::source_location::current())
+      std::size_t value, SourcePlace place = SourcePlace::current())
       : value_(value), place_(place) {}
 
   /// `of`: what is indexed, "message" or "window", with `size` elements.
@@ -53,7 +79,7 @@ class Index {
 
  private:
   std::size_t value_;
-  std::source_location place_;
+  SourcePlace place_;
 };
 
 }  // namespace eagerx

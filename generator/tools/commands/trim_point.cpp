@@ -168,8 +168,8 @@ std::optional<TrimReport> trim_point(Run& run, const std::string& image,
       outputs.push_back(*channel);
   }
   std::ranges::sort(outputs);
-  const auto repeated = std::ranges::unique(outputs);
-  outputs.erase(repeated.begin(), repeated.end());
+  // Clang 14 does not know std::ranges::unique of libstdc++ 12.
+  outputs.erase(std::unique(outputs.begin(), outputs.end()), outputs.end());
   for (const std::size_t channel : outputs) {
     if (channel < plan.channels.size())
       words.insert(words.end(), {"--to", fmt::format("{}", channel)});

@@ -30,7 +30,7 @@ std::string key_of(const std::string& path) {
 }
 
 /// The claims of this process.
-std::mutex mutex;
+std::mutex claimed_mutex;
 std::set<std::string>& claimed() {
   static std::set<std::string> keys;
   return keys;
@@ -72,7 +72,7 @@ bool is_reserved(const std::string& path) {
 int claim_output(const std::string& path) {
   if (!is_replaced_by_output(path)) return 0;
   const std::string key = key_of(path);
-  const std::scoped_lock lock(mutex);
+  const std::scoped_lock lock(claimed_mutex);
   if (claimed().contains(key)) return 0;
   const Address address(key);
   const int held = new_socket();  // until the process ends
@@ -92,7 +92,7 @@ int claim_output(const std::string& path) {
 
 bool is_claimed(const std::string& path) {
   const std::string key = key_of(path);
-  const std::scoped_lock lock(mutex);
+  const std::scoped_lock lock(claimed_mutex);
   if (claimed().contains(key)) return false;
   const Address address(key);
   const int probe = new_socket();

@@ -101,6 +101,7 @@ class MujocoSimulator {
     std::copy_n(motion, 3, &at.angular_velocity[0]);
     return at;
   }
+  double height_above_ground(const models::Vector3& at) const { return at[2]; }
   void watch_contact_force(std::size_t /*geometry*/) {}
   /// Of the ground on a geometry in the last step, in the world's axes [N].
   models::Vector3 contact_force(std::size_t geometry) const {

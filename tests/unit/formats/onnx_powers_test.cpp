@@ -62,16 +62,16 @@ TEST(OnnxPowers, ExponentsThatAreProductsOrRoots) {
     float exponent;
     double (*wanted)(double);
   };
-  for (const auto& [exponent, wanted] :
+  for (const Case& each :
        {Case{1.0F, [](double x) { return x; }}, Case{2.0F, [](double x) { return x * x; }},
         Case{3.0F, [](double x) { return x * x * x; }},
         Case{4.0F, [](double x) { return x * x * x * x; }}}) {
     OnnxBuilder builder(3, 18);
-    builder.add_tensor("exponent", {}, {exponent});
+    builder.add_tensor("exponent", {}, {each.exponent});
     builder.add_tensor("zero", {}, {0});
     builder.add_node("Pow", {"observation", "exponent"}, "power");
     builder.add_node("Relu", {"power"}, "action");
-    const auto of = [&wanted](double x) { return std::fmax(wanted(x), 0.0); };
+    const auto of = [&each](double x) { return std::fmax(each.wanted(x), 0.0); };
     expect_near(read_good(builder.bytes()), {of(-3.0), of(0.5), of(2.0)});
   }
   OnnxBuilder builder(3, 18);

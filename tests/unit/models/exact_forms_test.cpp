@@ -20,13 +20,15 @@ class DirectForm {
     for (std::size_t k = 3; k > 0; --k) x_[k] = x_[k - 1], y_[k] = y_[k - 1];
     x_[0] = static_cast<long double>(signal);
     long double sum = 0.0L;
-    for (std::size_t k = 0; k < Config::b.size(); ++k) sum += Config::b[k] * x_[k];
-    for (std::size_t k = 1; k < Config::a.size(); ++k) sum -= Config::a[k] * y_[k];
-    y_[0] = sum / Config::a[0];
+    for (std::size_t k = 0; k < Config::b.size(); ++k) sum += wide(Config::b[k]) * x_[k];
+    for (std::size_t k = 1; k < Config::a.size(); ++k) sum -= wide(Config::a[k]) * y_[k];
+    y_[0] = sum / wide(Config::a[0]);
     return static_cast<double>(y_[0]);
   }
 
  private:
+  static constexpr long double wide(double x) { return static_cast<long double>(x); }
+
   std::array<long double, 4> x_{}, y_{};
 };
 

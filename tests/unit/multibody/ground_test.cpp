@@ -204,6 +204,20 @@ TEST(MultibodyGround, ABallComesToRestInABowl) {
   EXPECT_GT(scene.simulator.pose(0)[2], 0.55);
 }
 
+TEST(MultibodyGround, HeightsAreAboveTheGround) {
+  using Ball = Sliding<double, Falls{0.0, 0.0}, false>;
+  MultibodyScene<On<Ball, Slope>> slope;  // the object's frame is at (0.3, -0.2, 0.5)
+  slope.simulator.set_roughness(0.5);
+  EXPECT_NEAR(slope.simulator.height_above_ground({{1.3, -0.2, 2.0}}), 1.5 + 0.5 * 0.2, 1e-6);
+  EXPECT_NEAR(slope.simulator.height_above_ground({{0.3, 0.8, 0.0}}), -0.5 + 0.5 * 0.1, 1e-6);
+  MultibodyScene<Sliding<double, Falls{0.3, 0.0}, false>> tilted;
+  const Vector3 normal = Falls{0.3, 0.0}.normal();
+  EXPECT_NEAR(tilted.simulator.height_above_ground(
+                  {{0.3 + 2.0 * normal[0], -0.2 + 2.0 * normal[1], 0.5 + 2.0 * normal[2]}}),
+              2.0, 1e-12)
+      << "the distance from a plane";
+}
+
 struct RoughnessIo {
   using State = Array<float, 1>;
   using Simulator = MultibodySimulator<On<WalkerOf<float>, Gravel>>;
@@ -303,7 +317,7 @@ TEST(MultibodyGround, LanesHaveTheBitsOfPlainNumbers) {
     one.want_pose(0, {{x, 0.1 - x, 0.3, 1.0, 0.05, 0.0, x}});
     for (std::size_t j = 0; j < 12; ++j) {
       const float home = j % 3 == 0 ? 0.0F : j % 3 == 1 ? 0.9F : -1.8F;
-      one.want_joint(j, {{home, 0.0}, {0.0, 0.0}});
+      one.want_joint(j, {{static_cast<double>(home), 0.0}, {0.0, 0.0}});
       one.set_joint_servo(j, {home, 40.0F, 1.0F, 33.5F});
     }
     one.begin_episode();

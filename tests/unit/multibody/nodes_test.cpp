@@ -163,7 +163,7 @@ TEST(MultibodySimd, LanesHaveTheBitsOfPlainNumbers) {
     for (std::size_t j = 0; j < 12; ++j) {
       const auto offset = static_cast<float>((7 * lane + 3 * j) % 11) * 0.02F;
       const float home = j % 3 == 0 ? 0.0F : j % 3 == 1 ? 0.9F : -1.8F;
-      one.want_joint(j, {{home, 0.0}, {0.0, 0.0}});
+      one.want_joint(j, {{static_cast<double>(home), 0.0}, {0.0, 0.0}});
       one.set_joint_servo(j, {home + offset, 40.0F, 1.0F, 33.5F});
     }
     one.set_mass(0, 5.0 + static_cast<double>(lane));
