@@ -141,9 +141,22 @@ bool DesignRun::verify(DesignReport& report) {
                fmt::format("with these parameters the loop at `{}` is unstable: spectral "
                            "radius {:.6g}",
                            report.loops.back().port, after->spectral_radius))
-        .help = "the graph stays as it is; look at other parts of it with `eagerx-gen linearize`";
+        .help = help_for_unstable();
   }
   return true;
+}
+
+std::string DesignRun::help_for_unstable() const {
+  const Input* const outer = input("reference");
+  const GraphNode* const source =
+      outer != nullptr ? &run_.graph->nodes[outer->source_node] : nullptr;
+  if (node().entity->id.value != "StateFeedback" || source == nullptr ||
+      source->role != NodeRole::node)
+    return "the graph stays as it is; look at other parts of it with `eagerx-gen linearize`";
+  return fmt::format(
+      "the graph stays as it is; the gains are those without the outer loop through `{}`: set the "
+      "gains of `{}` to 0, design `{}`, and then `{}`",
+      outer->written, source->name, node().name, source->name);
 }
 
 int DesignRun::end(const DesignReport& report) {

@@ -65,6 +65,7 @@ class DesignRun {
   std::vector<std::string> words() const;
   std::optional<std::string> print(const std::vector<std::string>& words);
   std::optional<Margins> margins(const PortElement& at);
+  std::string help_for_unstable() const;
 
   DesignOptions options_;
   Run run_;

@@ -165,7 +165,7 @@ class LqrDesigner {
     find_unknown(regulator, estimate);
     MatrixXd gain = estimate;
     if (result_.unknown > kDetermined) {
-      const auto found = least_from(estimate);
+      const auto found = least_output_feedback(problem_, {estimate, present_gain()});
       if (!found) return explain_missing();
       gain = *found;
       result_.cost = output_feedback(problem_, gain).cost / least;
@@ -242,16 +242,6 @@ class LqrDesigner {
     return (of_c * share).diagonal();
   }
 
-  /// From the estimate, or from the gains that the node has if those are stable and it is not.
-  std::optional<MatrixXd> least_from(const MatrixXd& estimate) const {
-    if (output_feedback(problem_, estimate).spectral_radius < 1.0)
-      return least_output_feedback(problem_, estimate);
-    const MatrixXd present = present_gain();
-    if (output_feedback(problem_, present).spectral_radius < 1.0)
-      return least_output_feedback(problem_, present);
-    if (const auto found = least_output_feedback(problem_, estimate)) return found;
-    return least_output_feedback(problem_, present);
-  }
   MatrixXd present_gain() const {
     MatrixXd gain = MatrixXd::Zero(effort_.size(), scale_.size());
     for (Index i = 0; i < gain.rows(); ++i) {

@@ -3,8 +3,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "generator/tools/linear/node_plant.hpp"
+#include "generator/tools/linear/stabilize.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -80,10 +83,10 @@ std::vector<MatrixXd> costs(const PeriodicProblem& problem, const MatrixXd& gain
 /// BFGS with a line that halves its steps: Nocedal, Wright: Numerical Optimization, 2006, 6.1.
 class Descent {
  public:
-  Descent(const PeriodicProblem& problem, double shrink) : problem_(problem), shrink_(shrink) {}
+  explicit Descent(const PeriodicProblem& problem) : problem_(problem) {}
 
   MatrixXd from(MatrixXd gain, int rounds) const {
-    OutputFeedback now = output_feedback(problem_, gain, shrink_);
+    OutputFeedback now = output_feedback(problem_, gain);
     const Index size = gain.size();
     MatrixXd inverse = MatrixXd::Identity(size, size);
     for (int round = 0; round < rounds; ++round) {
@@ -121,7 +124,7 @@ class Descent {
     for (int halvings = 0; halvings < 50; ++halvings, length *= 0.5) {
       Step next;
       next.gain = gain + length * MatrixXd(way.reshaped(gain.rows(), gain.cols()));
-      next.at = output_feedback(problem_, next.gain, shrink_);
+      next.at = output_feedback(problem_, next.gain);
       if (next.at.spectral_radius < 1.0 && next.at.cost <= now.cost + kSlope * length * fall)
         return next;
     }
@@ -137,7 +140,6 @@ class Descent {
   }
 
   const PeriodicProblem& problem_;
-  double shrink_;
 };
 
 }  // namespace
@@ -183,12 +185,11 @@ std::vector<MatrixXd> covariances(const PeriodicProblem& problem,
   return result;
 }
 
-OutputFeedback output_feedback(const PeriodicProblem& problem, const MatrixXd& gain,
-                               double shrink) {
+OutputFeedback output_feedback(const PeriodicProblem& problem, const MatrixXd& gain) {
   OutputFeedback result;
   Closed closed;
   for (const PeriodicPhase& phase : problem)
-    closed.maps.emplace_back(shrink * (phase.cost.a - phase.cost.b * gain * phase.c));
+    closed.maps.emplace_back(phase.cost.a - phase.cost.b * gain * phase.c);
   result.spectral_radius = radius_of(monodromy(closed.maps));
   if (!(result.spectral_radius < 1.0)) return result;
   const std::vector<MatrixXd> p = costs(problem, gain, closed);
@@ -198,26 +199,25 @@ OutputFeedback output_feedback(const PeriodicProblem& problem, const MatrixXd& g
     const LinearQuadratic& here = problem[i].cost;
     result.cost += (here.b.transpose() * p[i + 1] * here.b).trace();
     const MatrixXd e = here.r * gain * problem[i].c - here.s.transpose() -
-                       shrink * here.b.transpose() * p[i + 1] * closed.maps[i];
+                       here.b.transpose() * p[i + 1] * closed.maps[i];
     result.slope += 2.0 * e * covariance[i] * problem[i].c.transpose();
   }
   return result;
 }
 
-std::optional<MatrixXd> least_output_feedback(const PeriodicProblem& problem, MatrixXd gain) {
-  constexpr int kRounds = 60, kFew = 30, kMany = 500;
-  constexpr double kInside = 0.97;
-  const double phases = static_cast<double>(problem.size());
-  double shrink = 1.0;
-  for (int round = 0; round < kRounds; ++round) {
-    const double radius = output_feedback(problem, gain).spectral_radius;
-    if (radius < 1.0) return Descent(problem, 1.0).from(gain, kMany);
-    const double next = kInside / std::pow(radius, 1.0 / phases);
-    if (round > 0 && next <= shrink * (1.0 + 1e-9)) return std::nullopt;
-    shrink = next;
-    gain = Descent(problem, shrink).from(gain, kFew);
+std::optional<MatrixXd> least_output_feedback(const PeriodicProblem& problem,
+                                              const std::vector<MatrixXd>& starts) {
+  constexpr int kRounds = 500;
+  std::optional<MatrixXd> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (MatrixXd& stable : stabilizing_gains(problem, starts)) {
+    MatrixXd gain = Descent(problem).from(std::move(stable), kRounds);
+    const double cost = output_feedback(problem, gain).cost;
+    if (!(cost < least)) continue;
+    least = cost;
+    best = std::move(gain);
   }
-  return std::nullopt;
+  return best;
 }
 
 }  // namespace eagerx::gen

@@ -41,13 +41,11 @@ struct OutputFeedback {
   double cost = 0.0;             // if it is stable
   Eigen::MatrixXd slope;
 };
-/// `shrink`: the factor of A and B of each phase.
-OutputFeedback output_feedback(const PeriodicProblem& problem, const Eigen::MatrixXd& gain,
-                               double shrink = 1.0);
+OutputFeedback output_feedback(const PeriodicProblem& problem, const Eigen::MatrixXd& gain);
 
-/// The K of least cost that descending from `gain` finds: one that is stable if that is, or if
-/// shrinking the system less and less leads to one; nothing else.
+/// The K of least cost that descending finds from `starts`, or from the stable gains to which
+/// stabilizing_gains() leads from them; nothing if it leads to none.
 std::optional<Eigen::MatrixXd> least_output_feedback(const PeriodicProblem& problem,
-                                                     Eigen::MatrixXd gain);
+                                                     const std::vector<Eigen::MatrixXd>& starts);
 
 }  // namespace eagerx::gen

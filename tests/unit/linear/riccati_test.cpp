@@ -9,6 +9,7 @@
 #include "generator/tools/linear/design.hpp"
 #include "generator/tools/linear/hidden_modes.hpp"
 #include "generator/tools/linear/periodic.hpp"
+#include "generator/tools/linear/stabilize.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -338,9 +339,76 @@ TEST(OutputFeedback, OfTheWholeStateIsTheRegulator) {
   problem.pop_back();
   const auto regulator = solve_periodic(problem);
   ASSERT_TRUE(regulator);
-  const auto found = least_output_feedback(problem, MatrixXd::Zero(1, 2));
+  const auto found = least_output_feedback(problem, {MatrixXd::Zero(1, 2)});
   ASSERT_TRUE(found) << "from a gain that is not stable";
   EXPECT_LT((*found - regulator->gain[0]).norm(), 1e-5 * found->norm());
+}
+
+/// A pendulum upright, x'' = 30·x + u, whose motor lags by 0.05 s, over two ticks of 0.02 s
+/// (Euler); position and speed are received, the motor's torque is not.
+PeriodicProblem lagging_pendulum() {
+  PeriodicPhase phase;
+  phase.cost = {MatrixXd(3, 3), MatrixXd(3, 1), MatrixXd::Identity(3, 3), one(0.5),
+                MatrixXd::Zero(3, 1)};
+  phase.cost.a << 1.0, 0.02, 0.0, 0.6, 1.0, 0.02, 0.0, 0.0, 0.6;
+  phase.cost.b << 0.0, 0.0, 0.4;
+  phase.c = MatrixXd::Identity(2, 3);
+  return {phase, phase};
+}
+
+TEST(SlowestPole, SlopeIsThatOfItsLogarithm) {
+  const PeriodicProblem problem = lagging_pendulum();
+  for (const double speed : {0.0, 20.0}) {  // a real pole, and a pair
+    MatrixXd gain(1, 2);
+    gain << 4.0 * speed, speed;
+    const SlowestPole at = slowest_pole(problem, gain);
+    for (Index k = 0; k < 2; ++k) {
+      constexpr double kStep = 1e-6;
+      MatrixXd more = gain, less = gain;
+      more(0, k) += kStep;
+      less(0, k) -= kStep;
+      const double slope =
+          (slowest_pole(problem, more).log_radius - slowest_pole(problem, less).log_radius) /
+          (2.0 * kStep);
+      EXPECT_NEAR(at.slope(0, k), slope, 1e-6 * std::abs(slope) + 1e-7) << speed;
+    }
+  }
+}
+
+TEST(OutputFeedback, BeginsAtGainsThatAreNotStable) {
+  const PeriodicProblem problem = lagging_pendulum();
+  MatrixXd start = MatrixXd::Zero(1, 2), best(1, 2);
+  double least = 1e300;  // of all gains on a grid
+  for (double position = 44.0; position < 51.0; position += 0.25) {
+    for (double speed = 11.0; speed < 16.0; speed += 0.125) {
+      MatrixXd gain(1, 2);
+      gain << position, speed;
+      const OutputFeedback at = output_feedback(problem, gain);
+      if (!(at.spectral_radius < 1.0) || at.cost >= least) continue;
+      least = at.cost;
+      best = gain;
+    }
+  }
+  ASSERT_LT(least, 1e299);
+  for (const double sign : {1.0, -1.0}) {
+    start *= sign;
+    ASSERT_GT(output_feedback(problem, start).spectral_radius, 1.0);
+    const auto found = least_output_feedback(problem, {start});
+    ASSERT_TRUE(found) << start;
+    EXPECT_LE(output_feedback(problem, *found).cost, least);
+    EXPECT_LT((*found - best).norm(), 0.5) << *found << "\n" << best;
+    start << 40.0, 5.0;
+  }
+}
+
+TEST(OutputFeedback, TakesTheCheapestOfItsStarts) {
+  const PeriodicProblem problem = lagging_pendulum();
+  MatrixXd stable(1, 2);
+  stable << 50.0, 8.0;
+  const auto gains = stabilizing_gains(problem, {MatrixXd::Zero(1, 2), stable});
+  ASSERT_EQ(gains.size(), 2U);
+  EXPECT_EQ(gains[1], stable) << "it is stable already";
+  EXPECT_LT(output_feedback(problem, gains[0]).spectral_radius, 1.0);
 }
 
 TEST(OutputFeedback, FindsNoneWhereThereIsNone) {
@@ -349,7 +417,7 @@ TEST(OutputFeedback, FindsNoneWhereThereIsNone) {
     phase.cost.a << 1.3, 0.0, 0.0, 1.3;
     phase.cost.b << 1.0, 0.0;
   }
-  EXPECT_FALSE(least_output_feedback(problem, MatrixXd::Zero(1, 2)));
+  EXPECT_FALSE(least_output_feedback(problem, {MatrixXd::Zero(1, 2)}));
 }
 
 }  // namespace
