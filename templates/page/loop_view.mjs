@@ -6,11 +6,13 @@ import {moreViews} from "./views.mjs";
 
 const kWide = 640, kLow = 190, kSquare = 320;
 const loopRoom = {
-  left: 52,
+  left: 58,
   right: 12,
   top: 10,
   bottom: 34
 };
+// Circles are round: the plot is as high as it is wide.
+const kSquareHigh = kSquare - loopRoom.left - loopRoom.right + loopRoom.top + loopRoom.bottom;
 const degrees = (value) => `${short(value)}°`;
 const decibels = (factor) => `${short(20 * Math.log10(factor))} dB`;
 
@@ -27,11 +29,21 @@ function decades([low, high]) {
   return marks;
 }
 
+/** Multiples 2 to 9 of the powers of ten within a logarithmic range, unless there are too many. */
+function betweenDecades([low, high]) {
+  const marks = [];
+  if (high - low > 7) return marks;
+  for (let power = Math.floor(low); power <= high; ++power)
+    for (let i = 2; i < 10; ++i) marks.push(power + Math.log10(i));
+  return marks.filter((at) => at >= low && at <= high);
+}
+
 /**
- * Axes as SVG: {element, x, y, line(points, look), dot, cross, circle, level, upright}, in the units of the plot.
- * `columns` and `rows`: [value, text] of the grid lines.
+ * Axes as SVG: {element, x, y, line(points, look), dot, cross, circle, level, guide, upright, arrow}, in the units of
+ * the plot. `columns` and `rows`: [value, text] of the grid lines; `minor`: columns without a text; `under` and
+ * `left`: words at the axes.
  */
-function axesOf({width, height, x: xs, y: ys, columns, rows, under, label}) {
+function axesOf({width, height, x: xs, y: ys, columns, minor = [], rows, under, left, label}) {
   const inside = (value, [low, high]) => value >= low && value <= high;
   const x = (value) => loopRoom.left + ((value - xs[0]) / (xs[1] - xs[0])) * (width - loopRoom.left - loopRoom.right);
   const y = (value) =>
@@ -44,11 +56,15 @@ function axesOf({width, height, x: xs, y: ys, columns, rows, under, label}) {
     path(`M${loopRoom.left} ${y(value)}H${width - loopRoom.right}`, "grid");
     text(loopRoom.left - 6, y(value) + 4, "end", words);
   }
+  for (const value of minor) path(`M${x(value)} ${loopRoom.top}V${height - loopRoom.bottom}`, "grid minor");
   for (const [value, words] of columns) {
     path(`M${x(value)} ${loopRoom.top}V${height - loopRoom.bottom}`, "grid");
     text(x(value), height - loopRoom.bottom + 15, "middle", words);
   }
   text(width - loopRoom.right, height - 4, "end", under);
+  const middle = (loopRoom.top + height - loopRoom.bottom) / 2;
+  if (left)
+    add(element, [svg("text", {transform: `translate(12 ${middle}) rotate(-90)`, "text-anchor": "middle"}, left)]);
   return {
     element,
     x,
@@ -69,9 +85,18 @@ function axesOf({width, height, x: xs, y: ys, columns, rows, under, label}) {
     cross(at, value, look) {
       if (inside(at, xs) && inside(value, ys)) path(`M${x(at) - 4} ${y(value) - 4}l8 8m0 -8l-8 8`, `curve ${look}`);
     },
-    circle(at, radius) {
+    circle(at, radius, look = "limit dashed") {
       if (inside(at - radius, xs) && inside(at + radius, xs))
-        add(element, [svg("circle", {cx: x(at), cy: y(0), r: x(at + radius) - x(at), class: "curve limit dashed"})]);
+        add(element, [svg("circle", {cx: x(at), cy: y(0), r: x(at + radius) - x(at), class: `curve ${look}`})]);
+    },
+    /** Draws a vertical line through the plot. */
+    guide: (at) => inside(at, xs) && path(`M${x(at)} ${loopRoom.top}V${height - loopRoom.bottom}`, "curve guide"),
+    /** Draws the head of an arrow at `to`, in the direction from `from`. */
+    arrow(from, to, look) {
+      const turn = (Math.atan2(y(to[1]) - y(from[1]), x(to[0]) - x(from[0])) * 180) / Math.PI;
+      const place = `translate(${x(to[0]).toFixed(1)} ${y(to[1]).toFixed(1)}) rotate(${turn.toFixed(1)})`;
+      if (inside(to[0], xs) && inside(to[1], ys))
+        add(element, [svg("path", {d: "M4 0l-8 -4v8z", transform: place, class: `arrow ${look}`})]);
     },
     level: (value) =>
         inside(value, ys) && path(`M${loopRoom.left} ${y(value)}H${width - loopRoom.right}`, "curve limit dashed"),
@@ -90,6 +115,12 @@ const widened = ([low, high], by) => [low - by, high + by];
 const loopPlot = (title, axes, wide, ...more) =>
     el("article.plot.loop" + (wide ? ".wide" : ""), {}, el("header", {}, el("span", {}, title), more), axes.element);
 
+/** Draws lines at the frequencies of the margins, the same in gain and phase. */
+function marginGuides(axes, margins) {
+  for (const at of [margins.crossover_hz, margins.gain_frequency_hz, margins.least_gain_frequency_hz])
+    if (at > 0) axes.guide(Math.log10(at));
+}
+
 function gainPlot({bode, margins}) {
   const xs = loopExtent(bode.map(([f]) => Math.log10(f)));
   const ys = widened(loopExtent(bode.map(([, gain]) => Math.max(-80, Math.min(80, gain))), 0), 5);
@@ -99,15 +130,22 @@ function gainPlot({bode, margins}) {
     x: xs,
     y: ys,
     columns: decades(xs),
+    minor: betweenDecades(xs),
     rows: gridMarks(ys, 5),
-    under: "",
+    under: "frequency [Hz]",
+    left: "gain [dB]",
     label: "gain over frequency"
   });
+  marginGuides(axes, margins);
   axes.level(0);
   axes.line(bode.map(([f, gain]) => [Math.log10(f), gain]), "c0");
   for (const [factor, at] of [
            [margins.gain, margins.gain_frequency_hz], [margins.least_gain, margins.least_gain_frequency_hz]])
-    if (factor && at > 0) axes.upright(Math.log10(at), 0, -20 * Math.log10(factor), decibels(factor));
+    if (factor && at > 0) {
+      axes.dot(Math.log10(at), -20 * Math.log10(factor), "limit");
+      axes.upright(Math.log10(at), 0, -20 * Math.log10(factor), decibels(factor));
+    }
+  if (margins.crossover_hz) axes.dot(Math.log10(margins.crossover_hz), 0, "limit");
   return axes;
 }
 
@@ -122,16 +160,19 @@ function phasePlot({bode, margins}) {
     x: xs,
     y: ys,
     columns: decades(xs),
+    minor: betweenDecades(xs),
     rows,
     under: "frequency [Hz]",
+    left: "phase [deg]",
     label: "phase over frequency"
   });
+  marginGuides(axes, margins);
   for (let at = -900; at <= 900; at += 360) axes.level(at);
   axes.line(bode.map(([f, , phase]) => [Math.log10(f), phase]), "c0");
-  const near = bode.find(([f]) => f >= margins.crossover_hz);
-  if (margins.phase_deg !== null && near) {
-    const limit = 360 * Math.round((near[2] + 180) / 360) - 180;
-    axes.upright(Math.log10(margins.crossover_hz), limit, limit + margins.phase_deg, degrees(margins.phase_deg));
+  if (margins.phase_deg !== null) {
+    const at = Math.log10(margins.crossover_hz), there = margins.phase_deg - 180;
+    axes.dot(at, there, "limit");
+    axes.upright(at, -180, there, degrees(margins.phase_deg));
   }
   return axes;
 }
@@ -140,19 +181,34 @@ function nyquistPlot({bode, margins}) {
   const range = [-3, 3], marks = gridMarks(range, 6);
   const axes = axesOf({
     width: kSquare,
-    height: kSquare,
+    height: kSquareHigh,
     x: range,
     y: range,
     columns: marks,
     rows: marks,
     under: "real part",
+    left: "imaginary part",
     label: "Nyquist plot"
   });
+  axes.circle(0, 1, "guide");
   axes.circle(-1, 1 / margins.sensitivity);
   axes.line(bode.map(([, , , re, im]) => [re, im]), "c0");
   axes.line(bode.map(([, , , re, im]) => [re, -im]), "c0 faint");
+  // An arrow to higher frequencies where the curve is last beyond 1.5.
+  const far = bode.findLastIndex(([, , , re, im]) => Math.hypot(re, im) > 1.5 && Math.hypot(re, im) < 2.8);
+  const tip = far > 0 ? far : Math.floor(bode.length / 2);
+  if (tip > 0) axes.arrow(bode[tip - 1].slice(3), bode[tip].slice(3), "c0");
   axes.cross(-1, 0, "limit");
   return axes;
+}
+
+/** z = exp(s·T) of all s with this damping, up to half a turn. */
+function damped(damping) {
+  const decay = damping / Math.sqrt(1 - damping * damping);
+  return Array.from({length: 97}, (_, i) => {
+    const angle = (Math.PI * (i - 48)) / 48, size = Math.exp(-decay * Math.abs(angle));
+    return [size * Math.cos(angle), size * Math.sin(angle)];
+  });
 }
 
 function polesPlot({open_poles, closed_poles}) {
@@ -160,14 +216,16 @@ function polesPlot({open_poles, closed_poles}) {
   const range = [-most, most], marks = gridMarks(range, 6);
   const axes = axesOf({
     width: kSquare,
-    height: kSquare,
+    height: kSquareHigh,
     x: range,
     y: range,
     columns: marks,
     rows: marks,
     under: "real part",
+    left: "imaginary part",
     label: "poles"
   });
+  for (const damping of [0.2, 0.4, 0.6, 0.8]) axes.line(damped(damping), "guide");
   axes.circle(0, 1);
   for (const [re, im] of open_poles) axes.dot(re, im, "c2");
   for (const [re, im] of closed_poles) axes.cross(re, im, "c0");
@@ -192,6 +250,7 @@ function stepPlot({step, simulated}) {
     columns: gridMarks(xs, 8),
     rows: gridMarks(ys, 5),
     under: "time [s]",
+    left: "response",
     label: "step response"
   });
   axes.line(step.map(([at, , s]) => [at, s]), "c2");
@@ -248,8 +307,8 @@ export function loopCard(loop) {
          "Of the program as it runs, with its rates, delays and windows, linearized at the operating point."),
       el("div.loops", {}, loopPlot("Gain [dB]", gain, true, bodeReadout(loop, gain)),
          loopPlot("Phase [deg]", phase, true, bodeReadout(loop, phase)),
-         loopPlot("Nyquist plot; circle: peak of sensitivity", nyquistPlot(loop)),
-         loopPlot("Poles z: open loop (dots), closed loop (crosses)", polesPlot(loop)),
+         loopPlot("Nyquist plot; dotted: |L| = 1; dashed: peak of |S|", nyquistPlot(loop)),
+         loopPlot("Poles z: open (dots), closed (crosses); dotted: damping", polesPlot(loop)),
          loopPlot(
              "Unit step at the port: T (blue) returns, its readers get S = 1 − T (green)" +
                  (loop.simulated ? "; dashed: as the program simulates it" : ""),

@@ -30,6 +30,14 @@ test("the tab of a loop shows its margins, and the step response that the progra
   assert.ok(text.includes(`${Number(margins.phase_deg.toPrecision(4))}°`), text);
   assert.match(text, /simulated step ?within .* %/);
   assert.match(text, /dashed: as the program simulates it/);
+  for (const name of ["Nyquist plot", "poles"]) {
+    const plot = panel.querySelectorAll("svg").find((each) => each.getAttribute("aria-label") === name);
+    const grid =
+        plot.querySelectorAll("path").filter((path) => path.classes.has("grid")).map((path) => path.getAttribute("d"));
+    const [, left, right] = grid.map((d) => /^M(\S+) \S+H(\S+)$/.exec(d)).find(Boolean);
+    const [, top, bottom] = grid.map((d) => /^M\S+ (\S+)V(\S+)$/.exec(d)).find(Boolean);
+    assert.equal(right - left, bottom - top, `${name}: circles are round`);
+  }
   const curves = panel.querySelectorAll("path").filter((path) => path.classes.has("simulated"));
   assert.equal(curves.length, 2, "T and S");
 });

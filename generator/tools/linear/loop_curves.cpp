@@ -23,6 +23,15 @@ std::vector<BodePoint> bode_of(const SampledSystem& system) {
   return points;
 }
 
+/// Adds whole turns, so that the limit of the phase margin is -180 degrees, as textbooks draw it.
+void turn_to_limit(const Margins& margins, std::vector<BodePoint>& bode) {
+  if (!margins.phase_deg || !margins.crossover_hz || bode.empty()) return;
+  auto near = std::ranges::lower_bound(bode, *margins.crossover_hz, {}, &BodePoint::frequency_hz);
+  if (near == bode.end()) --near;
+  const double turns = std::round((near->phase_deg - (*margins.phase_deg - 180.0)) / 360.0);
+  for (BodePoint& each : bode) each.phase_deg -= 360.0 * turns;
+}
+
 /// Half as long again as it takes until the response stays within 1 % of its end; every n-th
 /// message, so that at most kSteps are left.
 std::vector<StepSample> seen_of(std::vector<StepSample> all, std::size_t& stride) {
@@ -63,6 +72,7 @@ LoopCurves loop_curves_of(const LinearReport& report) {
   curves.port = report.opened;
   curves.margins = *report.margins;
   curves.bode = bode_of(*report.system);
+  turn_to_limit(curves.margins, curves.bode);
   for (const Pole& pole : report.modes.poles) {
     curves.open_poles.push_back(pole.z);
     if (pole.z.imag() != 0.0) curves.open_poles.push_back(std::conj(pole.z));

@@ -14,7 +14,7 @@ namespace eagerx::gen {
 /// L at a frequency.
 struct BodePoint {
   double frequency_hz = 0.0, gain_db = 0.0;
-  double phase_deg = 0.0;  // without jumps of a turn, from -180 to 180 at the lowest frequency
+  double phase_deg = 0.0;  // without jumps of a turn; -180 plus the phase margin at the crossover
   std::complex<double> loop;
 };
 

@@ -63,6 +63,22 @@ TEST(LoopCurves, PhaseGoesBeyondHalfATurn) {
     EXPECT_NEAR(each.phase_deg, -90.0 - 5.0 * 180.0 * each.frequency_hz * kPeriod, 1e-6);
 }
 
+// Three integrators with two zeros: L begins at −270°, which arg() returns as 90°.
+TEST(LoopCurves, ThePhaseMarginIsFromMinusHalfATurn) {
+  SampledSystem system = integrator(1);
+  system.state = {{"x", 0.0}, {"v", 0.0}, {"a", 0.0}};
+  system.a = {{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, -3.0, 3.0}};
+  system.b = {{0.0}, {0.0}, {1.0}};
+  system.c = {{-0.5 * 0.8 * 0.8, 0.5 * 2.0 * 0.8, -0.5}};
+  const Margins margins = margins_of(system);
+  ASSERT_TRUE(margins.is_stable && margins.phase_deg);
+  const LoopCurves curves = loop_curves_of({&system, modes_of(system), margins, "u", {}, {}});
+  const auto near =
+      std::ranges::lower_bound(curves.bode, *margins.crossover_hz, {}, &BodePoint::frequency_hz);
+  EXPECT_NEAR(near->phase_deg, *margins.phase_deg - 180.0, 3.0);
+  EXPECT_NEAR(curves.bode.front().phase_deg, -270.0, 1.0);
+}
+
 // The integrator itself, with a step of 0.5 on a message that is 2 without it; from the tenth
 // message on it sends half as much.
 TEST(LoopCurves, SimulatedStepIsDividedByItsSize) {
@@ -99,6 +115,9 @@ TEST(LoopCurves, PictureNamesPortAndMargins) {
   EXPECT_NE(text.find("robot &lt;1&gt;"), std::string::npos);
   EXPECT_NE(text.find("controller.u"), std::string::npos);
   EXPECT_NE(text.find("84.3 deg"), std::string::npos) << "the phase margin, 90° − asin(k·h/2)";
+  EXPECT_NE(text.find("closed loop stable, gain margin 20 dB"), std::string::npos);
+  for (const char* const axis : {"frequency [Hz]", "imaginary part", "time [s]"})
+    EXPECT_NE(text.find(axis), std::string::npos) << axis;
   EXPECT_NE(text.find("20 dB"), std::string::npos) << "the gain margin, 2/(k·h)";
   EXPECT_EQ(text.find("nan"), std::string::npos);
   EXPECT_EQ(text.find("inf"), std::string::npos);
