@@ -51,6 +51,8 @@ class Analysis {
   /// The function at `entry`, whatever its arguments are.
   const Analysed& of(Address entry);
   [[nodiscard]] const Image& image() const { return image_; }
+  /// Loops of libraries, by their headers.
+  [[nodiscard]] const std::map<Address, LibraryLoop>& library() const { return library_; }
 
  private:
   friend class Walk;

@@ -46,6 +46,7 @@ const std::vector<Part>& parts_of_programs() {
 constexpr std::array<std::string_view, 2> kOfHugeAngles = {"reduce_huge_float",
                                                            "reduce_huge_angle"};
 constexpr std::string_view kWithoutHugeAngles = "angles up to 12800 rad";
+constexpr std::string_view kWithoutDenormals = "no denormal numbers";
 
 /// What the program of a graph runs in a slot (templates/cpp/slots.mustache).
 constexpr std::array<std::string_view, 2> kHalves = {"Program::run_before_action",
@@ -197,8 +198,28 @@ class Report {
     }
     const auto most =
         both([&](bound::Regions& in) { return in.most_without_calls(regions, functions); });
+    std::string condition;
+    if (most.instructions.most != report_.parts.back().most) {
+      condition = kWithoutHugeAngles;
+      report_.parts.push_back(row(fmt::format("{}, {}", name, condition), most));
+    }
+    add_without_denormals(name, condition, regions, functions);
+  }
+
+  /// Where software computes with numbers, also without those that it must shift bit by bit.
+  void add_without_denormals(const std::string& name, const std::string& condition,
+                             const std::vector<Region>& regions,
+                             const std::set<bound::Address>& functions) {
+    std::set<bound::Address> loops;
+    for (const auto& [header, loop] : analysis_.library()) {
+      if (loop.is_of_denormal) loops.insert(header);
+    }
+    const auto most =
+        both([&](bound::Regions& in) { return in.most_without_calls(regions, functions, loops); });
     if (most.instructions.most == report_.parts.back().most) return;
-    report_.parts.push_back(row(fmt::format("{}, {}", name, kWithoutHugeAngles), most));
+    report_.parts.push_back(row(fmt::format("{}, {}{}{}", name, condition,
+                                            condition.empty() ? "" : ", ", kWithoutDenormals),
+                                most));
   }
 
   std::string slot_name(std::optional<std::uint64_t> due) const {
@@ -297,8 +318,9 @@ class Report {
   }
 
   void add_functions() {
+    bound::Wholes wholes;
     for (const auto& [at, name] : image_.functions()) {
-      bound::LongestPath path(bound::Weight::all());
+      bound::LongestPath path(bound::Weight::all(), wholes);
       const std::uint64_t most = path.of(analysis_.of(at));
       if (path.obstacles().empty() && most > 0)
         report_.functions.push_back({function_name(name), at, most});
@@ -309,10 +331,11 @@ class Report {
   /// a part.
   void add_interrupts(const Machine* machine) {
     if (!report_.time) return;
+    bound::Wholes wholes;
     for (const Machine::Interrupt& interrupt : machine->interrupts) {
       const auto found = image_.addresses().find(interrupt.handler);
       if (found == image_.addresses().end()) continue;
-      bound::LongestPath path(bound::Weight::all(*cycles_));
+      bound::LongestPath path(bound::Weight::all(*cycles_), wholes);
       const bound::Analysed& handler = analysis_.of(found->second);
       roots_.insert(found->second);
       const std::uint64_t most = path.of(handler);

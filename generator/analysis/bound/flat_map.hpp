@@ -35,6 +35,7 @@ class FlatMap {
   void erase_if(Is&& is) {
     std::erase_if(entries_, is);
   }
+  [[nodiscard]] std::size_t size() const { return entries_.size(); }
   void clear() { entries_.clear(); }
   bool operator==(const FlatMap&) const = default;
 

@@ -14,7 +14,7 @@ void Walk::forget_limits(LoopIndex l, State& state) {
 }
 
 /// The header's state where all that may change is a number of its own.
-State Walk::open_header(LoopIndex l, const State& in, const std::set<Location>& fixed) {
+State Walk::open_header(LoopIndex l, const State& in, const Locations& fixed) {
   State header = in;
   forget_limits(l, header);
   const Address at = address(flow_.loops[l].header);
@@ -22,6 +22,7 @@ State Walk::open_header(LoopIndex l, const State& in, const std::set<Location>& 
     if (!fixed.contains(where)) header.set(where, {base_of(Origin::header, at, where), 0, 0});
   }
   header.comparison.reset();
+  header.choice.reset();
   if (const auto found = escapes_.find(l); found != escapes_.end()) {
     header.escaped = std::min(header.escaped, found->second.first);
     header.arguments_escaped |= found->second.second;
@@ -30,7 +31,7 @@ State Walk::open_header(LoopIndex l, const State& in, const std::set<Location>& 
 }
 
 /// Numbers, or pointers into the same object, which may grow by the same in each turn.
-Walk::Ties Walk::likely_ties(const State& in, const std::set<Location>& fixed) const {
+Walk::Ties Walk::likely_ties(const State& in, const Locations& fixed) const {
   Ties ties;
   std::map<Base, Location> firsts;
   for (const Location& where : in.locations()) {
@@ -78,7 +79,7 @@ void Walk::tie(LoopIndex l, const State& in, const Ties& ties, State& header) co
 }
 
 Walk::Changes Walk::changes(LoopIndex l, const State& in, const State& header, const State& latch,
-                            const std::set<Location>& fixed) const {
+                            const Locations& fixed) const {
   Changes result;
   const Address at = address(flow_.loops[l].header);
   for (const Location& where : in.locations()) {

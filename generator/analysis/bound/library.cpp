@@ -12,6 +12,7 @@ namespace {
 struct Row {
   Address offset = 0;  // of the loop's header from the function
   std::uint32_t most = 0, bytes_a_turn = 0;
+  bool is_of_denormal = false;
 };
 
 struct LibraryFunction {
@@ -29,10 +30,13 @@ struct LibraryFunction {
 const std::vector<LibraryFunction>& library_functions() {
   static const std::vector<Row> kMemset = {{0x16, 3, 0}, {0x44, 0, 16}, {0x70, 3, 0}, {0x82, 3, 0}};
   static const std::vector<LibraryFunction> kAll = {
-      {"__aeabi_dmul", 596, 0x47882f38ec381bb7U, {{0x1a6, 52, 0}, {0x1c6, 52, 0}}},
+      {"__aeabi_dmul", 596, 0x47882f38ec381bb7U, {{0x1a6, 52, 0, true}, {0x1c6, 52, 0, true}}},
       {"__aeabi_ddiv", 464, 0x711fdbf38e1692f9U, {{0x82, 13, 0}}},
-      {"__aeabi_fmul", 360, 0xe01f8b84c35552d3U, {{0xce, 23, 0}, {0xe6, 23, 0}}},
-      {"__aeabi_fdiv", 310, 0xdf182ce31006f658U, {{0x46, 6, 0}, {0xc2, 23, 0}, {0xda, 23, 0}}},
+      {"__aeabi_fmul", 360, 0xe01f8b84c35552d3U, {{0xce, 23, 0, true}, {0xe6, 23, 0, true}}},
+      {"__aeabi_fdiv",
+       310,
+       0xdf182ce31006f658U,
+       {{0x46, 6, 0}, {0xc2, 23, 0, true}, {0xda, 23, 0, true}}},
       {"__ieee754_sqrt", 408, 0x83e9443617d93451U, {{0xd4, 2, 0}, {0x17e, 20, 0}}},
       {"memset", 162, 0x8caab2a8f0554b75U, kMemset},
       {"memset", 160, 0xde06bc811463fab4U, kMemset},
@@ -70,7 +74,7 @@ std::map<Address, LibraryLoop> library_loops(const Image& image) {
       if (function.name != name || !is_code_of(image, at, function)) continue;
       // The header runs once more than the loop turns back.
       for (const Row& row : function.loops)
-        loops[at + row.offset] = {at, row.most + 1, row.bytes_a_turn};
+        loops[at + row.offset] = {at, row.most + 1, row.bytes_a_turn, row.is_of_denormal};
     }
   }
   return loops;

@@ -13,6 +13,7 @@ struct LibraryLoop {
   Address function = 0;
   std::uint32_t most = 0;
   std::uint32_t bytes_a_turn = 0;  // 0: whatever the arguments are
+  bool is_of_denormal = false;     // it is entered for a denormal number only
 };
 
 /// By the addresses of their headers: the loops of those functions of `image` whose code is the

@@ -19,7 +19,8 @@ bool can_return(const Analysed& function) {
 
 Weight Weight::all(const Cost& cost) {
   return {[](const Instruction&, bool) { return true; },
-          [](const Instruction&, bool) { return Callee::by_weight; },
+          [](const Instruction&, bool) { return Callee::whole; },
+          {},
           {},
           &cost};
 }
@@ -47,11 +48,15 @@ std::uint64_t LongestPath::call(const Analysed& function, const Instruction& ins
   const auto counts = weight_.callee(instruction, &function == first_);
   if (counts == Weight::Callee::nothing) return 0;
   if (counts == Weight::Callee::by_weight) return length(*callee->second);
-  if (const auto found = whole_.find(callee->second); found != whole_.end()) return found->second;
-  LongestPath whole(Weight::all(*weight_.cost));
-  const std::uint64_t result = whole.of(*callee->second);
-  obstacles_.insert(whole.obstacles_.begin(), whole.obstacles_.end());
-  return whole_[callee->second] = result;
+  auto known = whole_.find(callee->second);
+  if (known == whole_.end()) {
+    LongestPath whole(Weight::all(*weight_.cost), whole_);
+    const std::uint64_t most = whole.of(*callee->second);
+    known = whole_.emplace(callee->second, Length{most, whole.obstacles()}).first;
+  }
+  const Length& length = known->second;
+  obstacles_.insert(length.obstacles.begin(), length.obstacles.end());
+  return length.most;
 }
 
 std::uint64_t LongestPath::block(const Analysed& function, BlockIndex b) {
@@ -123,6 +128,9 @@ LongestPath::Part LongestPath::part(const Analysed& function, LoopIndex loop) {
 
 /// A loop with all its turns.
 LongestPath::Part LongestPath::turned(const Analysed& function, LoopIndex loop) {
+  const BlockIndex header = function.flow->loops[loop].header;
+  const Address at = function.flow->blocks[header].code.front()->at;
+  if (weight_.never.contains(at)) return {};
   Part once = part(function, loop);
   if (!once.turn || !once.weighs) return once;
   if (&function == first_ && weight_.once.contains(loop)) {
@@ -133,8 +141,7 @@ LongestPath::Part LongestPath::turned(const Analysed& function, LoopIndex loop) 
   }
   const auto most = function.most_turns[loop];
   if (!most) {
-    const Block& header = function.flow->blocks[function.flow->loops[loop].header];
-    obstacles_.insert({Reason::loop, header.code.front()->at});
+    obstacles_.insert({Reason::loop, at});
     return once;
   }
   const std::uint64_t turns = (*most > 0 ? *most - 1 : 0) * *once.turn;

@@ -20,15 +20,26 @@ struct Weight {
   std::function<Callee(const Instruction& call, bool is_first)> callee;
   /// Loops of that function that count once: what is asked for is within a turn.
   std::set<LoopIndex> once = {};
+  std::set<Address> never = {};            // headers of loops that are not entered, by a condition
   const Cost* cost = &instruction_cost();  // of what counts
 
   static Weight all(const Cost& cost = instruction_cost());
 };
 
+/// The longest path of a function, and why it is none.
+struct Length {
+  std::uint64_t most = 0;
+  std::set<Obstacle> obstacles;
+};
+/// Those of functions by all that they have. With one cost.
+using Wholes = std::map<const Analysed*, Length>;
+
 /// The longest path by weight; its loops must have bounds only where something in them weighs.
 class LongestPath {
  public:
-  explicit LongestPath(Weight weight) : weight_(std::move(weight)) {}
+  explicit LongestPath(Weight weight) : weight_(std::move(weight)), whole_(own_) {}
+  /// `wholes`: kept from path to path.
+  LongestPath(Weight weight, Wholes& wholes) : weight_(std::move(weight)), whole_(wholes) {}
 
   /// Only a bound if there are no obstacles().
   std::uint64_t of(const Analysed& function);
@@ -54,7 +65,9 @@ class LongestPath {
 
   Weight weight_;
   const Analysed* first_ = nullptr;
-  std::map<const Analysed*, std::uint64_t> known_, whole_;
+  Wholes own_;
+  Wholes& whole_;
+  std::map<const Analysed*, std::uint64_t> known_;
   std::set<Obstacle> obstacles_;
 };
 

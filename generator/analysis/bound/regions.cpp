@@ -79,11 +79,18 @@ std::vector<Region> Regions::find(const IsNamed& is_named) const {
   return regions;
 }
 
+/// The same for each node.
+const std::set<LoopIndex>& Regions::around(const Flow& flow, const Region& region) {
+  const auto [known, is_new] = around_.try_emplace({region.function, region.code});
+  if (is_new) known->second = loops_around(flow, region.code);
+  return known->second;
+}
+
 Regions::Most Regions::longest(const Region& region, Weight weight) {
   const Analysed& function = analysis_.of(region.function);
-  if (!region.code.empty()) weight.once = loops_around(*function.flow, region.code);
+  if (!region.code.empty()) weight.once = around(*function.flow, region);
   weight.cost = &cost_;
-  LongestPath path(std::move(weight));
+  LongestPath path(std::move(weight), wholes_);
   const std::uint64_t most = path.of(function);
   return {most, path.obstacles()};
 }
@@ -111,13 +118,15 @@ Regions::Most Regions::most(const std::vector<Region>& regions,
 }
 
 Regions::Most Regions::most_without_calls(const std::vector<Region>& regions,
-                                          const std::set<Address>& functions) {
+                                          const std::set<Address>& functions,
+                                          const std::set<Address>& loops) {
   Most result;
   for (const Region& region : regions) {
     const auto is_in = [&region](const Instruction& i, bool is_first) {
       return !is_first || region.code.empty() || region.code.contains(i.at);
     };
     Weight weight;
+    weight.never = loops;
     weight.counts = is_in;
     weight.callee = [&](const Instruction& call, bool is_first) {
       const bool is_left_out = !is_in(call, is_first) || functions.contains(call.target);

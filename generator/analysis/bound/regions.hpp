@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "generator/analysis/bound/path.hpp"
@@ -33,24 +34,25 @@ class Regions {
   [[nodiscard]] std::vector<Region> find(const IsNamed& is_named) const;
   /// The most that one of the regions takes, of instructions for which `counts` says so; the other
   /// ones count only what they call. Empty: all count.
-  struct Most {
-    std::uint64_t most = 0;
-    std::set<Obstacle> obstacles;
-  };
+  using Most = Length;
   Most most(const std::vector<Region>& regions,
             const std::function<bool(const Instruction&)>& counts = {});
-  /// The same, all counted, without calls of these functions.
-  Most most_without_calls(const std::vector<Region>& regions, const std::set<Address>& functions);
+  /// The same, all counted, where these functions are not called and these loops not entered.
+  Most most_without_calls(const std::vector<Region>& regions, const std::set<Address>& functions,
+                          const std::set<Address>& loops = {});
   /// The same without what is in `others`, but with what is in `kept`.
   Most most_without(const std::vector<Region>& regions, const std::vector<Region>& others,
                     const std::set<Address>& kept);
 
  private:
   Most longest(const Region& region, Weight weight);
+  const std::set<LoopIndex>& around(const Flow& flow, const Region& region);
 
   Analysis& analysis_;
   const Places& places_;
   const Cost& cost_;
+  Wholes wholes_;
+  std::map<std::pair<Address, std::set<Address>>, std::set<LoopIndex>> around_;
 };
 
 }  // namespace eagerx::gen::bound

@@ -52,8 +52,19 @@ class Step : Calculation {
   void write(std::size_t r, const std::optional<Value>& value) {
     const Value old = state_.registers[r];
     state_.registers[r] = value && instruction_.condition.empty() ? *value : made(r);
-    if (!instruction_.condition.empty() && value) limit_either(r, *value, old);
+    if (!instruction_.condition.empty() && value)
+      choose(r, *value, old);
+    else if (state_.choice && state_.choice->at == r)
+      state_.choice.reset();
     if (r < kCore && r != kSp) escape(state_.registers[r]);
+  }
+
+  /// `ite eq`, `moveq r7, #2`, `movne r7, #3` is one of two numbers, whatever r7 was.
+  void choose(std::size_t r, const Value& value, const Value& old) {
+    const bool is_second = state_.choice && state_.choice->at == r &&
+                           state_.choice->condition == opposite(instruction_.condition);
+    limit_either(r, value, is_second ? state_.choice->value : old);
+    state_.choice = Choice{r, instruction_.condition, value};
   }
 
   /// The address of a word of the stack is where others may find it. Objects of this function lie
@@ -90,10 +101,15 @@ class Step : Calculation {
     return result;
   }
 
+  void forget_flags() {
+    state_.comparison.reset();
+    state_.choice.reset();
+  }
+
   void forget_written() {
     const bool two = starts_with_any(
         name_, {"umull", "smull", "umlal", "smlal", "umaal", "smlald", "smlsld", "ldrexd"});
-    if (instruction_.sets_flags) state_.comparison.reset();
+    if (instruction_.sets_flags) forget_flags();
     const bool is_vector = name_.starts_with("v");
     for (std::size_t i = 0; i < instruction_.operands.size(); ++i) {
       if (i >= (is_vector ? 4U : two ? 2U : 1U)) break;
@@ -103,7 +119,7 @@ class Step : Calculation {
       if (is_vector && i > 0 && (*r < kCore) != (register_at(0).value_or(kCore) < kCore)) break;
       write(*r, std::nullopt);
     }
-    if (operand(0) == "APSR_nzcv") state_.comparison.reset();
+    if (operand(0) == "APSR_nzcv") forget_flags();
   }
 
   void forget_double(std::string_view name) {
@@ -117,7 +133,7 @@ class Step : Calculation {
   void compare() {
     if (name_.starts_with("v")) return;
     const auto left = read(0), right = read(1);
-    state_.comparison.reset();
+    forget_flags();
     if (name_ == "cmp" && left && right && instruction_.operands.size() == 2 &&
         instruction_.condition.empty())
       state_.comparison = Comparison{*left, *right, false};
@@ -134,7 +150,7 @@ class Step : Calculation {
     if (returns_first_argument()) write(0, first);
     for (std::size_t s = 0; s < (is_function ? kCore : kRegisters - kCore); ++s)
       write(kCore + s, std::nullopt);
-    state_.comparison.reset();
+    forget_flags();
     forget_stack();
     const Value& sp = state_.registers[kSp];
     if (sp.base != kStack) return state_.stack.clear();
@@ -337,6 +353,7 @@ class Step : Calculation {
     write(*destination, value);
     if (value && instruction_.condition.empty()) keep_apart(*destination, *value);
     if (!instruction_.sets_flags) return true;
+    state_.choice.reset();
     state_.comparison = instruction_.condition.empty() ? before : std::nullopt;
     if (!state_.comparison && instruction_.condition.empty())
       state_.comparison = Comparison{state_.registers[*destination], Value::of(0), true};

@@ -48,6 +48,7 @@ const Value* State::find(const Location& location) const {
 
 std::vector<Location> State::locations() const {
   std::vector<Location> all;
+  all.reserve(kRegisters + stack.size());
   for (std::size_t r = 0; r < kRegisters; ++r) all.push_back({false, static_cast<std::int64_t>(r)});
   for (const auto& [offset, value] : stack) all.push_back({true, offset});
   return all;
@@ -236,17 +237,28 @@ Value joined(const Value& a, const Value& b, Address at, const Location& locatio
   return {base_of(Origin::joined, at, location), 0, 0};
 }
 
-/// What a value is, by what is known of its base, of the base of that, and so on: each step.
-std::array<Value, kMostSteps> chain_of(const State& state, const Value& value) {
-  std::array<Value, kMostSteps> chain{value};
-  for (std::size_t i = 1; i < kMostSteps; ++i) chain[i] = resolved_once(state, chain[i - 1]);
-  return chain;
-}
+/// A value, and what it is by what is known of its base, of the base of that, and so on.
+class Chain {
+ public:
+  Chain(const State& state, const Value& value) : values_{value} {
+    while (size_ < kMostSteps) {
+      const Value next = resolved_once(state, values_[size_ - 1]);
+      if (next == values_[size_ - 1]) break;
+      values_[size_++] = next;
+    }
+  }
+  [[nodiscard]] auto begin() const { return values_.begin(); }
+  [[nodiscard]] auto end() const { return values_.begin() + size_; }
+
+ private:
+  std::array<Value, kMostSteps> values_;
+  std::uint8_t size_ = 1;
+};
 
 /// The range of two values that have one base somewhere, each in its state.
 std::optional<Value> range_of(const State& a, const Value& left, const State& b,
                               const Value& right) {
-  const auto chain_a = chain_of(a, left), chain_b = chain_of(b, right);
+  const Chain chain_a(a, left), chain_b(b, right);
   for (const Value& from : chain_a) {
     for (const Value& to : chain_b) {
       if (from.base == to.base)

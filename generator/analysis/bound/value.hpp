@@ -50,10 +50,18 @@ struct Comparison {
   bool operator==(const Comparison&) const = default;
 };
 
+/// A register that has this value if a condition of the flags, as they are, holds.
+struct Choice {
+  std::size_t at = 0;
+  std::string condition;
+  Value value;
+};
+
 struct State {
   std::array<Value, kRegisters> registers{};
   FlatMap<std::int64_t, Value> stack;
   std::optional<Comparison> comparison;
+  std::optional<Choice> choice;      // the last one
   std::int64_t escaped = INT64_MAX;  // from here on other pointers may lead to the stack
   bool arguments_escaped = false;    // and to the words that the caller has put there
   FlatMap<Base, Value> limits;       // what numbers that are not known are between

@@ -270,7 +270,8 @@ Walk::Pass Walk::trial(LoopIndex l, const State& header) {
 
 std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
   // First with all values open, then with those that stay and those that keep their distance.
-  State header = open_header(l, in, {{false, kSp}});
+  const Locations kept(Location{false, kSp});
+  State header = open_header(l, in, kept);
   Pass first = trial(l, header);
   Changes found;
   Ties ties;
@@ -278,7 +279,7 @@ std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
   std::optional<Turns>& count = turned.count;
   const unsigned unbounded = unbounded_;
   if (first.latch) {
-    found = changes(l, in, header, *first.latch, {{false, kSp}});
+    found = changes(l, in, header, *first.latch, kept);
     ties = likely_ties(in, found.fixed);
     header = open_header(l, in, found.fixed);
     tie(l, in, ties, header);

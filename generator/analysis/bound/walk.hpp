@@ -2,6 +2,7 @@
 // values.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,6 +15,25 @@
 namespace eagerx::gen::bound {
 
 using Edge = std::pair<BlockIndex, BlockIndex>;
+
+/// Locations in order, in one block of memory: sets of them are made for each pass.
+class Locations {
+ public:
+  Locations() = default;
+  explicit Locations(const Location& one) : all_{one} {}
+  void insert(const Location& one) {
+    const auto at = std::ranges::lower_bound(all_, one);
+    if (at == all_.end() || *at != one) all_.insert(at, one);
+  }
+  [[nodiscard]] bool contains(const Location& one) const {
+    return std::ranges::binary_search(all_, one);
+  }
+  [[nodiscard]] auto begin() const { return all_.begin(); }
+  [[nodiscard]] auto end() const { return all_.end(); }
+
+ private:
+  std::vector<Location> all_;
+};
 
 /// Calls are analysed, and results are written, in `record` mode only: once for each block.
 class Walk {
@@ -34,7 +54,7 @@ class Walk {
   };
   /// Changes of the places that a loop writes.
   struct Changes {
-    std::set<Location> fixed;
+    Locations fixed;
     std::map<Location, Value> steps;
   };
 
@@ -61,17 +81,17 @@ class Walk {
   Pass trial(LoopIndex l, const State& header);
   std::map<Edge, State> loop(LoopIndex l, const State& in, bool record);
   void count_inner(LoopIndex l, bool record, std::optional<Turns>& count);
-  State open_header(LoopIndex l, const State& in, const std::set<Location>& fixed);
+  State open_header(LoopIndex l, const State& in, const Locations& fixed);
   /// [location] another one, from which it stays as far as it is at first.
   using Ties = std::map<Location, Location>;
   void tie(LoopIndex l, const State& in, const Ties& ties, State& header) const;
-  [[nodiscard]] Ties likely_ties(const State& in, const std::set<Location>& fixed) const;
+  [[nodiscard]] Ties likely_ties(const State& in, const Locations& fixed) const;
   [[nodiscard]] static Ties kept_ties(const Ties& ties, const State& in, const State& latch);
   [[nodiscard]] static bool hold(const Ties& ties, const State& in, const State& latch);
   void forget_limits(LoopIndex l, State& state);
   [[nodiscard]] bool separates(LoopIndex l, const std::set<BlockIndex>& tests) const;
   [[nodiscard]] Changes changes(LoopIndex l, const State& in, const State& header,
-                                const State& latch, const std::set<Location>& fixed) const;
+                                const State& latch, const Locations& fixed) const;
   std::optional<Turns> turns(LoopIndex l, const State& in, const Pass& pass,
                              const Changes& changes);
   [[nodiscard]] std::optional<Progress> progress(LoopIndex l, const State& in,

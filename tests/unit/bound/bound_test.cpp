@@ -227,6 +227,20 @@ TEST(Loops, ALimitMayBeTheSmallerOfTwoNumbers) {
             only(5 + 5 * 4 + 2 + 1));
 }
 
+TEST(Loops, AnEndMayBeOneOfTwoNumbers) {
+  // From 0 or 1 up to 2 or 3, whatever r7 was; the flags decide both.
+  const auto ends = [](const std::string& between) {
+    return bound_of(
+        "   0:\tldr\tr4, [r0, #0]\n   2:\tcmp\tr4, #1\n   4:\tbhi.n\t18 <f+0x18>\n"
+        "   6:\tcmp\tr4, #0\n   8:\tit\teq\n   a:\tmoveq\tr7, #2\n" +
+        between +
+        "   e:\tit\tne\n  10:\tmovne\tr7, #3\n  12:\tadds\tr4, #1\n"
+        "  14:\tcmp\tr4, r7\n  16:\tbne.n\t12 <f+0x12>\n  18:\tbx\tlr\n");
+  };
+  EXPECT_EQ(ends("   c:\tnop\n"), only(9 + 3 * 3 + 1));
+  EXPECT_EQ(ends("   c:\tcmp\tr5, #0\n").why, std::set{Reason::loop});
+}
+
 TEST(Loops, WhatHasNoBoundSaysWhy) {
   EXPECT_EQ(
       bound_of("   0:\tldr\tr3, [r0, #0]\n   2:\tcmp\tr3, #0\n   4:\tbne.n\t0 <f>\n   6:\tbx\tlr\n")
@@ -261,6 +275,19 @@ TEST(Loops, OneThatIsNotCountedInNeedsNoBound) {
                     [](const Instruction&, bool) { return Weight::Callee::nothing; }});
   EXPECT_EQ(path.of(analysis.of(0)), 2U);
   EXPECT_TRUE(path.obstacles().empty());
+}
+
+TEST(Loops, OneThatAConditionExcludesIsOnNoPath) {
+  // 2: one instruction and back to it, 9 times; past it: a branch, 2 instructions.
+  const Disassembled code(
+      "   0:\tcbz\tr0, 10 <f+0x10>\n   2:\tmovs\tr3, #0\n   4:\tadds\tr3, #1\n   6:\tcmp\tr3, #9\n"
+      "   8:\tbne.n\t4 <f+0x4>\n   a:\tbx\tlr\n  10:\tnop\n  12:\tbx\tlr\n");
+  ASSERT_TRUE(code.image());
+  Analysis analysis(*code.image());
+  Weight weight = Weight::all();
+  EXPECT_EQ(LongestPath(weight).of(analysis.of(0)), 1U + 1 + 9 * 3 + 1);
+  weight.never = {4};
+  EXPECT_EQ(LongestPath(weight).of(analysis.of(0)), 1U + 2);
 }
 
 TEST(Bound, IsAnErrorForWhatIsNoImage) {
