@@ -84,7 +84,7 @@ class BlockView {
       View item = object();
       item.set("flag", names_.nodes[n_].done_member + "." + target.name);
       add_links(names_, use, "", item);
-      reached.push_back(item);
+      reached.push_back(std::move(item));
     }
     view_["reached"] = std::move(reached);
   }
@@ -107,7 +107,7 @@ class BlockView {
       View item = object();
       item.set("type", names_.message(node_.outputs[o].space));
       item.set("channel", channel(o));
-      awaited.push_back(item);
+      awaited.push_back(std::move(item));
     }
     view_["awaited"] = std::move(awaited);
     add_handing_on();
@@ -121,7 +121,7 @@ class BlockView {
         item.set("to", names_.link_argument(part));
         item.set("lag", fmt::format("{}", plan_.split->links[part].lags[n_]));
         item.set("sent", names_.rings[plan_.nodes[n_].rings[o]].expression());
-        hands_on.push_back(item);
+        hands_on.push_back(std::move(item));
       }
     }
     view_["hands_on"] = std::move(hands_on);
@@ -150,7 +150,7 @@ class BlockView {
       places.push_back(place(o));
       View item = message(o, places.back());
       add_links(names_, names_.links(n_, o), channel(o), item);
-      received.push_back(item);
+      received.push_back(std::move(item));
     }
     view_["slots"] = slots_view(places);
     view_["received"] = std::move(received);
@@ -166,7 +166,7 @@ class BlockView {
       View item = object();
       item.set("object", cpp_string(graph_.objects[i].name));
       item.set("simulator", names_.objects[i].simulator_member);
-      simulated.push_back(item);
+      simulated.push_back(std::move(item));
     }
     view_.set("has_simulated", simulated.is_non_empty_list());
     view_["simulated"] = std::move(simulated);
@@ -190,13 +190,13 @@ class BlockView {
       add_links(names_, names_.links(n_, o), channel(o), item);
       item.set("processor", text_or_false(names_.nodes[n_].outputs[o].processor));
       item.set("local", local);
-      published.push_back(item);
+      published.push_back(std::move(item));
       outputs.push_back({output.name, output.processor ? local : places.back().expression});
       if (!output.processor) continue;
       View variable = object();
       variable.set("type", names_.message(output.raw));
       variable.set("local", local);
-      raw.push_back(variable);
+      raw.push_back(std::move(variable));
     }
     view_.set("outputs", designated(outputs));
     view_["slots"] = slots_view(places);
@@ -216,7 +216,7 @@ class BlockView {
     for (const auto& input : node_.inputs) {
       View item = object();
       item.set("field", input.name);
-      reads.push_back(item);
+      reads.push_back(std::move(item));
       read.push_back({input.name, "in_" + input.name});
     }
     for (const auto& output : node_.outputs) {
@@ -224,7 +224,7 @@ class BlockView {
       item.set("field", output.name);
       item.set("type", message_type(output.raw, Numbers::plain));
       item.set("lanes_type", names_.message(output.raw));
-      writes.push_back(item);
+      writes.push_back(std::move(item));
       written.push_back({output.name, fmt::format("out_{}.one", output.name)});
     }
     view_.set("one", names_.one(n_));
@@ -244,7 +244,7 @@ class BlockView {
           .push_back({node_.inputs[i].name, window_argument(plan_, names_, n_, i)});
       View item = object();
       item.set("field", node_.inputs[i].name);
-      if (passes) passed.push_back(item);
+      if (passes) passed.push_back(std::move(item));
     }
     view_.set("inputs", designated(inputs));
     view_.set("is_reset_node", !node_.reset_targets.empty());
@@ -288,7 +288,7 @@ View loop_view(const Plan& plan, const ProgramNames& names, const ProgramNames::
   for (std::size_t m = 0; m < loop.repeat.length(); ++m) {
     View node = BlockView(plan, inside, loop.repeat.nodes[m]).make();
     node.set("alike", fmt::format(" and {} more", loop.repeat.count - 1));
-    body.push_back(node);
+    body.push_back(std::move(node));
   }
   View view = object();
   view.set("count", fmt::format("{}", loop.repeat.count));
@@ -325,7 +325,7 @@ View groups_view(const Plan& plan, const ProgramNames& names,
       View one = list();
       one.push_back(BlockView(plan, names, nodes[i]).make());
       block["nodes"] = std::move(one);
-      blocks.push_back(block);
+      blocks.push_back(std::move(block));
     }
     if (!blocks.is_non_empty_list()) continue;
     View group = object();
@@ -333,7 +333,7 @@ View groups_view(const Plan& plan, const ProgramNames& names,
     group.set("counter", names.rates[rate].counter);
     group.set("knows_tick", knows_tick);
     group["blocks"] = std::move(blocks);
-    groups.push_back(group);
+    groups.push_back(std::move(group));
   }
   return groups;
 }
@@ -370,7 +370,7 @@ View slots_view(const std::vector<MessagePlace>& places) {
     View slot = object();
     slot.set("slot", place.local);
     slot.set("ring", place.ring);
-    slots.push_back(slot);
+    slots.push_back(std::move(slot));
   }
   return slots;
 }
@@ -384,11 +384,9 @@ bool is_kept_within(const Plan& plan, const Ring& ring) {
 View conversions_view(const Plan& plan, const ProgramNames& names, const WrittenMessage& message) {
   View views = list();
   const Ring& written = plan.rings[message.ring];
-  for (std::size_t r = 0; r < plan.rings.size(); ++r) {
+  for (const std::size_t r : names.nodes[written.node].reader_rings) {
     const Ring& ring = plan.rings[r];
-    if (!ring.reader_node || ring.node != written.node || ring.output != written.output ||
-        !names.has_ring(r))
-      continue;
+    if (ring.output != written.output || !names.has_ring(r)) continue;
     View view = object();
     view.set("target", ring_place(plan, names, r, message.seq));
     view.set("channel_index", fmt::format("{}", ring.output));
@@ -405,7 +403,7 @@ View conversions_view(const Plan& plan, const ProgramNames& names, const Written
                                         ? "eagerx::Space<" + names.message(input.space) + ">" +
                                               space_literal(input.space)
                                         : ""));
-    views.push_back(view);
+    views.push_back(std::move(view));
   }
   return views;
 }

@@ -314,6 +314,7 @@ class Emitter {
     view["targets"] = std::move(targets);
     view.set("first", options_.targets.empty() ? "" : options_.targets.front()->id.value);
     view.set("standalone", !options_.header_folder.empty());
+    view.set("many_nodes", plan_.graph->nodes.size() > kMostNodesForFastCollection);
     const auto packages = packages_of(*plan_.graph, options_.part);
     view.set("packages", View(!packages.empty()));
     View libraries(View::type::list);

@@ -135,7 +135,7 @@ class GraphView {
           line.set("values", own[i]);
           line.set("channel",
                    own.size() == 1 ? channel.name : fmt::format("{}[{}]", channel.name, i));
-          bounds.push_back(line);
+          bounds.push_back(std::move(line));
         }
         first += own.size();
       } else {
@@ -145,15 +145,15 @@ class GraphView {
         View line = object();
         line.set("place", fmt::format("{{{}, \"{}\"}}", number, join(space.shape, "x")));
         line.set("channel", channel.name);
-        shapes.push_back(line);
+        shapes.push_back(std::move(line));
       }
       for (const std::string& port : channel.aliases) {
         View line = object();
         line.set("place", fmt::format("{{{}, \"{}\"}}", number, port));
         line.set("channel", channel.name);
-        aliases.push_back(line);
+        aliases.push_back(std::move(line));
       }
-      channels.push_back(item);
+      channels.push_back(std::move(item));
       ++number;
     }
     view_.set("has_shapes", shapes.is_non_empty_list());
@@ -198,7 +198,7 @@ class GraphView {
       item.set("depth", fmt::format("{}", link.depth));
       item.set("is_deep", link.depth > 1);
       item.set("comma", part + 1 < placed.size() ? ", " : "");
-      parts.push_back(item);
+      parts.push_back(std::move(item));
     }
     view_["parts"] = std::move(parts);
   }
@@ -214,7 +214,7 @@ class GraphView {
         View item = space_view(field, range_of(*state.random, state.space), "State", constants_);
         constant = item.get("constant")->string_value();
         item.set("state", owner + "." + state.name);
-        ranges.push_back(item);
+        ranges.push_back(std::move(item));
       }
       View item = object();
       item.set("state", owner + "/" + state.name);
@@ -224,7 +224,7 @@ class GraphView {
       item.set("is_together",
                kind == RandomSpec::Kind::uniform && state.space.dtype == Dtype::float32);
       item.set("lines", sample_lines(*state.random, state.space, field, constant));
-      randoms.push_back(item);
+      randoms.push_back(std::move(item));
       samples = samples || kind != RandomSpec::Kind::value;
     };
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
@@ -268,7 +268,7 @@ class GraphView {
       item.set("field", field);
       item.set("type", message_type(space));
       item.set("literal", space_literal(space));
-      states.push_back(item);
+      states.push_back(std::move(item));
     };
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
       const Object& item = graph_.objects[i];
@@ -340,7 +340,7 @@ class GraphView {
     for (const std::size_t i : graph_.agent.observations) {
       View item = object();
       item.set("field", graph_.environment().inputs[i].name);
-      inputs.push_back(item);
+      inputs.push_back(std::move(item));
     }
     const PolicyUse use = agent_use(graph_);
     view_["policy_inputs"] = std::move(inputs);

@@ -20,7 +20,7 @@ View parameter_views(const Config& config) {
     parameter.set("type", cpp.type);
     parameter.set("value", cpp.value);
     parameter.set("comment", text_or_false(item.parameter->unit));
-    parameters.push_back(parameter);
+    parameters.push_back(std::move(parameter));
   }
   return parameters;
 }
@@ -38,7 +38,7 @@ View model_views(const Config& config) {
     model.set("class", from_global_namespace((*use)->implementation->model.name));
     model.set("has_parameters", !(*use)->config.empty());
     model["parameters"] = parameter_views((*use)->config);
-    models.push_back(model);
+    models.push_back(std::move(model));
   }
   return models;
 }
@@ -71,15 +71,15 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
     port.set("longest", input.max_delay_s
                             ? fmt::format("at most {}", input.max_delay_s->to_string())
                             : "not used: the graph simulates no delays");
-    (input.feedthrough ? feedthroughs : inputs).push_back(port);
     if (input.entity_sets_delay) delays.push_back(port);
+    (input.feedthrough ? feedthroughs : inputs).push_back(std::move(port));
   }
   for (const auto& target : node.reset_targets) {
     View port = object();
     port.set("type", names.message(target.space));
     port.set("field", target.name);
     port.set("comment", text_or_false(target.space.describe()));
-    targets.push_back(port);
+    targets.push_back(std::move(port));
   }
   view.set("has_inputs", inputs.is_non_empty_list());
   view["inputs"] = std::move(inputs);
@@ -93,7 +93,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
     View port = object();
     port.set("type", names.message(output.raw));
     port.set("field", output.name);
-    outputs.push_back(port);
+    outputs.push_back(std::move(port));
   }
   view.set("has_outputs", outputs.is_non_empty_list());
   view["outputs"] = std::move(outputs);
@@ -103,7 +103,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
     View field = object();
     field.set("field", state.name);
     field.set("type", names.message(state.received()));
-    states.push_back(field);
+    states.push_back(std::move(field));
   }
   view.set("has_states", states.is_non_empty_list());
   view["states"] = std::move(states);
@@ -124,7 +124,7 @@ View simulators_view(const Plan& plan, const ProgramNames& names) {
     view.set("simulator", from_global_namespace(plan.graph->engine().entity->simulator.name));
     view.set("model", from_global_namespace(item.implementation->model.name));
     view.set("config", config_view(item.config));
-    views.push_back(view);
+    views.push_back(std::move(view));
   }
   return views;
 }
@@ -144,7 +144,7 @@ View engine_states_view(const Plan& plan, const ProgramNames& names) {
       view.set("simulator", names.objects[i].simulator_type);
       view.set("class", from_global_namespace(state.engine_state->cpp.name));
       view.set("config", config_view(state.config));
-      views.push_back(view);
+      views.push_back(std::move(view));
     }
   }
   return views;
@@ -193,7 +193,7 @@ View processors_view(const Plan& plan, const ProgramNames& names) {
     for (std::size_t i = 0; i < stages.size(); ++i) {
       View view = processor_view(*stages[i], types[i], where, names);
       if (i + 1 == stages.size()) view["chain"] = chain_view(*processor, type, types, names);
-      views.push_back(view);
+      views.push_back(std::move(view));
     }
   };
   const bool resets = !names.is_vectorized();
@@ -307,17 +307,18 @@ View io_view(const Plan& plan, const ProgramNames& names, const IncludePaths& pa
     item.set("constant",
              names.nodes[plan.channels[c].node].outputs[plan.channels[c].output].channel);
     item.set("number", fmt::format("{}", c));
-    channels.push_back(item);
+    channels.push_back(std::move(item));
   }
   view["channels"] = std::move(channels);
 
+  std::vector<std::size_t> users(names.nodes.size());  // of the Io of each node
+  for (const EmitNode& node : names.nodes) ++users[node.io_owner];
   View nodes = list();
   for (std::size_t n = Graph::kEngine; n < plan.graph->nodes.size(); ++n) {
     if (names.nodes[n].io_owner != n || !names.has_io(n)) continue;
-    const auto users = std::ranges::count(names.nodes, n, &EmitNode::io_owner);
     View node = node_view(plan, n, names);
-    node.set("others", users == 1 ? "" : fmt::format(", and {} more alike", users - 1));
-    nodes.push_back(node);
+    node.set("others", users[n] == 1 ? "" : fmt::format(", and {} more alike", users[n] - 1));
+    nodes.push_back(std::move(node));
   }
   view["nodes"] = std::move(nodes);
   return view;

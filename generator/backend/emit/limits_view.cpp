@@ -39,7 +39,7 @@ class LimitsView {
             space_view(graph_.environment().outputs[i].name, applied.space, "Applied", constants_);
         item.set("what", applied.narrowed_by);
         views[i].set("applied", item.get("constant")->string_value());
-        actuators.push_back(item);
+        actuators.push_back(std::move(item));
       }
       actions.push_back(views[i]);
     }
@@ -94,7 +94,7 @@ class LimitsView {
                                  : fmt::format("{}", steps.floor()));
       item.set("most_change", literal(output.ramp_per_s / graph_.environment().rate_hz.to_double(),
                                       output.space.dtype));
-      outputs.push_back(item);
+      outputs.push_back(std::move(item));
     }
     add_names("output", ports);
     view_.set("all_outputs", bool_literal(ports.size() == graph_.environment().inputs.size()));

@@ -14,7 +14,7 @@ void add_links(const ProgramNames& names, const LinkUse& use, const std::string&
   for (const std::size_t part : use.to) {
     View item = object();
     item.set("link", names.link_argument(part));
-    sends.push_back(item);
+    sends.push_back(std::move(item));
   }
   view["sends"] = std::move(sends);
 }

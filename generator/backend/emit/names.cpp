@@ -159,6 +159,7 @@ void ProgramNames::name_rings(Names& members) {
     if (ring.reader_node) {
       const GraphNode& reader = graph.nodes[*ring.reader_node];
       name = port_name(port_owner(reader, "observation"), reader.inputs[*ring.reader_input]);
+      nodes[ring.node].reader_rings.push_back(r);
     }
     EmitMember& member = rings.emplace_back();
     member.name = members.unique(name + "_");
@@ -190,7 +191,7 @@ void ProgramNames::name_ports(Names& members, Names& types, Names& fields) {
     const std::string owner = port_owner(node, "observation");
     for (const auto& output : node.outputs) {
       const std::string wanted = camel(node.name) + camel(output.name) + "Processor";
-      item.outputs.push_back({processor_type(output.processor, wanted, types), ""});
+      item.outputs.push_back({processor_type(output.processor, wanted, types), "", ""});
     }
     for (const Input& input : node.inputs) {
       const std::string wanted = camel(port_name(owner, input)) + "Processor";
@@ -241,8 +242,11 @@ std::string ProgramNames::processor_type(const std::optional<Processor>& process
 
 void ProgramNames::name_channels() {
   Names channels;
-  for (const auto& item : plan_.channels)
-    nodes[item.node].outputs[item.output].channel = channels.unique(snake(item.name));
+  for (const auto& item : plan_.channels) {
+    EmitOutput& output = nodes[item.node].outputs[item.output];
+    output.channel = channels.unique(snake(item.name));
+    output.port = item.port;
+  }
 }
 
 void ProgramNames::name_loops(Names& members) {
@@ -344,7 +348,7 @@ bool ProgramNames::has_ring(std::size_t ring) const {
 
 bool ProgramNames::has_io(std::size_t node) const {
   if (!gen::has_io(*plan_.graph, part_, node)) return false;
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
+  for (std::size_t n = node; n < nodes.size(); ++n) {  // an Io belongs to the first that has it
     if (nodes[n].io_owner == node && !left_out(n)) return true;
   }
   return false;

@@ -12,6 +12,9 @@ namespace eagerx::gen {
 /// 100 nodes one function is easier to read.
 inline constexpr std::size_t kMostNodesInOneFunction = 100;
 inline constexpr std::size_t kNodesInPart = 32;
+/// Programs of more nodes take g++ so much memory that it is worth a few percent of its time to
+/// free it earlier.
+inline constexpr std::size_t kMostNodesForFastCollection = 2000;
 
 /// A data member of the program: "servo_", "drawing_.overlay_", "now.force_" or "servo_[3]".
 struct EmitMember {
@@ -54,6 +57,7 @@ struct EmitInput {
 struct EmitOutput {
   std::string processor;  // type; may be empty
   std::string channel;    // constant of the trace; a table's element inside a loop
+  std::string port;       // what the trace calls it; empty without a channel
 };
 
 struct EmitState {
@@ -73,6 +77,7 @@ struct EmitNode {
   std::vector<EmitState> states;
   std::vector<std::string> target_processors;  // types, by target of a reset node
   std::string targets_member, done_member;     // of reset nodes
+  std::vector<std::size_t> reader_rings;       // of its messages, each for one reader
 };
 
 struct EmitObject {

@@ -58,7 +58,7 @@ class ProgramView {
       rate.set("counter", names_.rates[r].counter);
       rate.set("bit", fmt::format("{}", r));
       rate.set("rate_type", rate_type(plan_.rates[r].rate_hz));
-      rates.push_back(rate);
+      rates.push_back(std::move(rate));
     }
     view_["rates"] = std::move(rates);
     view_.set("one_rate", plan_.rates.size() == 1);  // which is due in every slot
@@ -121,7 +121,7 @@ class ProgramView {
       View item = object();
       item.set("index", fmt::format("{}", part));
       item.set("constant", names_.parts[part]);
-      parts.push_back(item);
+      parts.push_back(std::move(item));
     }
     view_["parts"] = std::move(parts);
   }
@@ -164,7 +164,7 @@ class ProgramView {
       action.set("conversions", conversions_view(plan_, names_, {ring, seq, value}));
       action.set("channel", "channel::" + names_.nodes[kEnvironment].outputs[a].channel);
       action.set("seq", seq);
-      actions.push_back(action);
+      actions.push_back(std::move(action));
     }
     view_["actions"] = std::move(actions);
   }
@@ -199,7 +199,7 @@ class ProgramView {
       View chunk = object();
       chunk.set("function", fmt::format("{}_{}", phase, i / kNodesInPart));
       chunk["groups"] = std::move(groups);
-      chunks.push_back(chunk);
+      chunks.push_back(std::move(chunk));
     }
     if (!chunks.is_non_empty_list()) return View(false);
     View view = object();
@@ -226,13 +226,10 @@ class ProgramView {
 
   /// Describes the messages of a ring: "motor.u", "motor.u for filter.signal".
   [[nodiscard]] std::string label_of(const Ring& ring) const {
-    const auto channel = ranges::find_if(plan_.channels, [&](const Channel& each) {
-      return each.node == ring.node && each.output == ring.output;
-    });
+    const std::string& port = names_.nodes[ring.node].outputs[ring.output].port;
     const GraphNode& node = graph_.nodes[ring.node];
-    const std::string sent = channel != plan_.channels.end()
-                                 ? channel->port
-                                 : fmt::format("{}.{}", node.name, node.outputs[ring.output].name);
+    const std::string sent =
+        port.empty() ? fmt::format("{}.{}", node.name, node.outputs[ring.output].name) : port;
     if (!ring.reader_node) return sent;
     const Input& input = graph_.nodes[*ring.reader_node].inputs[*ring.reader_input];
     return fmt::format("{} for {}", sent, input.written);
@@ -258,11 +255,12 @@ class ProgramView {
       item.set(
           "comment",
           text_or_false(ring.needed > 1 ? fmt::format("{} needs {}", ring.why, ring.needed) : ""));
-      (drawn ? drawn_rings : passes ? passing : rings).push_back(item);
       if (passes && graph_.has_engine() && ring.node == Graph::kEngine && !ring.reader_node) {
-        item.set("member", names_.rings[r].expression());
-        ticks.push_back(item);
+        View tick = item;
+        tick.set("member", names_.rings[r].expression());
+        ticks.push_back(std::move(tick));
       }
+      (drawn ? drawn_rings : passes ? passing : rings).push_back(std::move(item));
     }
     const auto add = [](View& to, const std::string& type, const std::string& member,
                         const std::string& label) {
@@ -270,7 +268,7 @@ class ProgramView {
       item.set("label", text_or_false(label));
       item.set("type", type);
       item.set("member", member);
-      to.push_back(item);
+      to.push_back(std::move(item));
     };
     for (std::size_t i = 0; names_.has_engine() && i < graph_.objects.size(); ++i)
       add(members, names_.objects[i].simulator_type, names_.objects[i].simulator_member,
@@ -297,7 +295,7 @@ class ProgramView {
       View item = object();
       item.set("node", graph_.nodes[n].name);
       item.set("member", names_.nodes[n].member.expression());
-      counters.push_back(item);
+      counters.push_back(std::move(item));
     }
     view_.set("has_counts", names_.has_engine() || counters.is_non_empty_list());
     view_["node_counts"] = std::move(counters);
@@ -334,7 +332,7 @@ class ProgramView {
       item.set("table", table);
       item.set("count", fmt::format("{}", values.size()));
       item.set("values", braced(values));
-      tables.push_back(item);
+      tables.push_back(std::move(item));
     };
     for (const auto& loop : names_.loops) {
       const std::size_t length = loop.repeat.length();

@@ -108,8 +108,8 @@ class Values {
 class CheckingContext : public kainjow::mustache::context<std::string> {
  public:
   explicit CheckingContext(const View* view) : context<std::string>(view) {}
-  const View* get(const std::string& name) const override {
-    const View* found = context<std::string>::get(name);
+  const kainjow::mustache::data* get(const std::string& name) const override {
+    const auto* found = context<std::string>::get(name);
     if (found == nullptr) missing_.insert(name);
     return found;
   }

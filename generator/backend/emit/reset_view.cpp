@@ -72,7 +72,7 @@ class ResetView {
                                     names_.objects[i].states[s].processor));
         state.set("type", names_.objects[i].states[s].type);
         state.set("simulator", names_.objects[i].simulator_member);
-        states.push_back(state);
+        states.push_back(std::move(state));
         uses_states_ = true;
       }
     }
@@ -105,7 +105,7 @@ class ResetView {
       reset.set("is_drawn", node.drawn);
       reset.set("call", fmt::format("{}.reset({}{})", names_.nodes[n].member.expression(),
                                     joined(arguments), simulator_argument(plan_, names_, n)));
-      resets.push_back(reset);
+      resets.push_back(std::move(reset));
     }
     view_["resets"] = std::move(resets);
   }
@@ -129,7 +129,7 @@ class ResetView {
       View node = object();
       node.set("call", fmt::format("{}.tune({})", names_.nodes[n].member.expression(),
                                    designated(arguments)));
-      nodes.push_back(node);
+      nodes.push_back(std::move(node));
     }
     view_.set("has_tuned", nodes.is_non_empty_list());
     view_["tuned"] = std::move(nodes);
@@ -164,14 +164,14 @@ class ResetView {
         delay.set("member", names_.nodes[n].inputs[i].delay_member);
         delay.set("where", input.written);
         if (!reception.changing) {  // an entity sets it, and delays are not simulated
-          idle.push_back(delay);
+          idle.push_back(std::move(delay));
           continue;
         }
         delay.set("first", double_literal(input.delay_s.to_double()));
         delay.set("quanta", quanta_type(*reception.changing));
         delay.set("state", text_or_false(names_.nodes[n].inputs[i].delay_state));
         uses_states_ = uses_states_ || !names_.nodes[n].inputs[i].delay_state.empty();
-        delays.push_back(delay);
+        delays.push_back(std::move(delay));
       }
     }
     has_delays_ = delays.is_non_empty_list();
@@ -236,7 +236,7 @@ class ResetView {
                    names_.is_vectorized() ? "eagerx::NewLanes<kLanes>" : "eagerx::NewMessages");
         cursor.set("first", "");
         cursor["delay"] = View(false);
-        cursors.push_back(cursor);
+        cursors.push_back(std::move(cursor));
       }
     }
     view_.set("has_cursors", cursors.is_non_empty_list());
@@ -260,7 +260,7 @@ class ResetView {
         own.push_back(items[k]);
       part.set("function", fmt::format("{}_{}", function, i / kNodesInPart));
       part[what] = std::move(own);
-      parts.push_back(part);
+      parts.push_back(std::move(part));
     }
     return parts;
   }
@@ -298,7 +298,7 @@ class ResetView {
       item.set("targets_member", names_.nodes[n].targets_member);
       item.set("done_member", names_.nodes[n].done_member);
       item.set("targets", designated(targets));
-      reset_nodes.push_back(item);
+      reset_nodes.push_back(std::move(item));
     }
     View view = object();
     view["nodes"] = std::move(reset_nodes);

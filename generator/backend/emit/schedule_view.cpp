@@ -81,7 +81,7 @@ class ScheduleView {
       View run = object();
       run.set("due", constant(mask));
       run.set("count", slots == 1 ? View(false) : View(fmt::format("{}", slots)));
-      runs.push_back(run);
+      runs.push_back(std::move(run));
     }
     View view = object();
     view["runs"] = std::move(runs);
@@ -102,7 +102,7 @@ class ScheduleView {
       const bool all = ranges::all_of(
           schedule_.kinds, [&](std::uint64_t mask) { return (mask & environment) != 0; });
       if (!all) item.set("is_last", false);
-      if ((schedule_.kinds[i] & environment) != 0) observing.push_back(item);
+      if ((schedule_.kinds[i] & environment) != 0) observing.push_back(std::move(item));
     }
     View view = table_of_kinds();
     const std::size_t observed = observing.list_value().size();
@@ -126,7 +126,7 @@ class ScheduleView {
     for (const std::uint64_t kind : schedule_.kinds) {
       View item = object();
       item.set("enumerator", kind_name(kind));
-      names.push_back(item);
+      names.push_back(std::move(item));
     }
     view.set("has_names", true);
     view["names"] = std::move(names);

@@ -60,7 +60,7 @@ View stages_view(const Plan& plan, const ProgramNames& names) {
     for (const StageState& state : stage.states)
       states.push_back(sampled_in_stage(plan, names, state));
     item["states"] = std::move(states);
-    samples.push_back(item);
+    samples.push_back(std::move(item));
   }
   View view = object();
   view.set("stage_names", joined(stage_names));

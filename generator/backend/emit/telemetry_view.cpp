@@ -15,7 +15,7 @@ View shape_view(const Space& space) {
     View item = object();
     item.set("size", fmt::format("{}", space.shape[i]));
     item.set(kIsLast, i + 1 == space.shape.size());
-    shape.push_back(item);
+    shape.push_back(std::move(item));
   }
   return shape;
 }
@@ -32,7 +32,7 @@ View channels_view(const Plan& plan, const TelemetryGroup& group) {
     item["shape"] = shape_view(space);
     item.set("offset", fmt::format("{}", place.offset));
     item.set(kIsLast, &place == &group.channels.back());
-    channels.push_back(item);
+    channels.push_back(std::move(item));
   }
   return channels;
 }
@@ -67,7 +67,7 @@ View places_view(const Plan& plan) {
     View item = object();
     item.set("literal", literals[i]);
     item.set("channel", plan.channels[i].name);
-    places.push_back(item);
+    places.push_back(std::move(item));
   }
   return places;
 }

@@ -102,7 +102,7 @@ class Flat:
         self._scales = any(isinstance(part, Scaled) for part in parts)
 
     def to_row(self, values, rows):
-        if not (type(values) is np.ndarray and values.shape == rows.shape and values.dtype == rows.dtype):  # mostly is
+        if not (type(values) is np.ndarray and values.shape == rows.shape and values.dtype is rows.dtype):  # mostly is
             values = shaped(values, self.space, len(rows), self.what)
         if not self._scales:
             rows[...] = values

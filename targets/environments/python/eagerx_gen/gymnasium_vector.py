@@ -14,6 +14,9 @@ if not hasattr(_vector, "AutoresetMode"):
     raise ImportError("eagerx_gen's VectorEnv needs Gymnasium 1.1 or later: pip install --upgrade gymnasium")
 
 
+_FLOAT64 = np.dtype(np.float64)
+
+
 def is_any(flags):
     """flags.any() of an array of bool, without its overhead."""
     return b"\1" in flags.tobytes()
@@ -53,7 +56,8 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
         batch_space = need("gymnasium.vector.utils", "pip install gymnasium").batch_space
         self.action_space = batch_space(self.single_action_space, num_envs)
         self.observation_space = batch_space(self.single_observation_space, num_envs)
-        self._ended = np.zeros(num_envs, np.bool_)
+        self._none = np.zeros(num_envs, np.bool_)  # which nothing changes
+        self._ended = self._none
         self._begun = np.zeros(num_envs, np.bool_)
 
         self._take_rows()
@@ -67,6 +71,7 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
         self._has_task, self._says_critic = self.library.has_task, bool(self.library.critic)
         self._term_names = tuple(self.library.terms)
         self._term_masks = tuple("_" + name for name in self._term_names)
+        self._to_row, self._from_row = self._actions.to_row, self._observations.from_row
         self._all = np.ones(self.num_envs, np.bool_)
 
     def _observation(self):
@@ -135,20 +140,28 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
             rows.check_open()
             raise Error(f"the episode of environment {int(self._ended.argmax())} has ended: reset() with a reset_mask comes before "
                         "the next step")
-        self._actions.to_row(actions, self._action_rows)
+        self._to_row(actions, self._action_rows)
         try:
             rows.step()
         except RewardNotFinite:
             self._ended = rows.terminated | rows.truncated
             raise
         before, terminated, truncated = self._ended, self._terminated.copy(), self._truncated.copy()
-        self._ended = terminated | truncated
-        info = self._info_of_step(before) if self._has_task else {}
-        self._add_critic(info)
-        if self._is_same_step and is_any(self._ended):
+        ends = b"\1" in terminated.tobytes() or b"\1" in truncated.tobytes()  # is_any() of each, without two calls
+        self._ended = ended = terminated | truncated if ends else self._none
+        if not self._has_task:
+            info = {}
+        elif before is ended is self._none:  # nothing ends or begins, as in most steps
+            info = self._info(self._all.copy())
+        else:
+            info = self._info_of_step(before)
+        if self._says_critic:
+            self._add_critic(info)
+        if ends and self._is_same_step:
             self._add_final(info)
+        seen = self._observation_rows
         # float64: what Gymnasium's own vector environments give.
-        return self._observation(), self._reward.astype(np.float64), terminated, truncated, info
+        return self._from_row(seen.copy() if self.copy else seen), self._reward.astype(_FLOAT64), terminated, truncated, info
 
     def _info_of_step(self, ended_before):
         """Gymnasium takes a reset's info, which is empty, where there was one."""
@@ -162,7 +175,7 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
 
         One conversion for all terms: one for each would cost more than the rest of a step.
         """
-        success, terms = self._success.copy(), self._terms.T.astype(np.float64, order="C")
+        success, terms = self._success.copy(), self._terms.astype(_FLOAT64).T
         if others is not None:
             success &= mask
             np.copyto(terms, 0.0, where=others)
