@@ -84,8 +84,9 @@ class Simulation {
       messages.add(*channel.port != '\0' ? channel.port : channel.name, channel.dtype,
                    static_cast<std::size_t>(channel.size));
     }
-    Outcome{}.for_each(
-        [&](const char* name, auto value) { outcome.add(name, dtype_of<decltype(value)>(), 1); });
+    Outcome{}.for_each([&](const char* name, auto value) {
+      outcome.add(name, target::dtype_of<decltype(value)>(), 1);
+    });
     settings.assign(states.values.size(), std::numeric_limits<double>::quiet_NaN());
   }
   Simulation(const Simulation&) = delete;

@@ -99,6 +99,7 @@ export class StateControls {
     this.step = step;
     /** Options of the program that make the same changes in the first episode. */
     this.tuned = [];
+    this.steered = new Map();  // numbers of parameters that keys add to, without keys
     const {about} = simulation;
     const rows = about.states.flatMap(
         (field) => numbersOf([field], simulation.statesLow, simulation.statesHigh)
@@ -132,9 +133,34 @@ export class StateControls {
   /** Sets a number; NaN means that it is sampled again. */
   set(row, value) {
     this.simulation.settings[row.at] = value;
+    if (row.tunable) this.tune(row.field);
+  }
+
+  /**
+   * Sets a tunable parameter from the next step on: adds to the numbers that the reset before the first call sampled,
+   * or to 0. Returns false if a sum is outside of the parameter's bounds.
+   */
+  steer(name, add) {
+    const {about, states, statesLow, statesHigh, settings} = this.simulation;
+    const field = about.states.find((state) => state.name === name);
+    if (!field || !about.tunable.includes(name)) return false;
+    if (!this.steered.has(name)) this.steered.set(name, states.slice(field.first, field.first + field.numbers));
+    const sums = Array.from(this.steered.get(name), (value, i) => (Number.isNaN(value) ? 0 : value) + add[i]);
+    if (sums.some((x, i) => !(x >= statesLow[field.first + i] && x <= statesHigh[field.first + i]))) return false;
+    settings.set(sums, field.first);
+    for (const {row, box, show} of this.controls) {
+      if (row.field !== field) continue;
+      box.checked = true;
+      show(settings[row.at]);
+    }
+    this.tune(field);
+    return true;
+  }
+
+  /** Hands the settings of a parameter to the running episode. */
+  tune({first, numbers, name}) {
     const step = this.step();
-    if (!row.tunable || step === null || !this.simulation.tune()) return;
-    const {first, numbers, name} = row.field;
+    if (step === null || !this.simulation.tune()) return;
     const values = Array.from(this.simulation.settings.subarray(first, first + numbers));
     if (values.some(Number.isNaN)) return;
     // Of several changes before one step, only the last one counts.

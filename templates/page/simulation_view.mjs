@@ -10,6 +10,7 @@ import {StepHistory} from "./history.mjs";
 import {count, seconds, short} from "./numbers.mjs";
 import {state} from "./selection.mjs";
 import {ActionControls, StateControls} from "./simulation_controls.mjs";
+import {SteeringKeys} from "./simulation_keys.mjs";
 import {moreViews} from "./views.mjs";
 
 const simulated = {
@@ -203,14 +204,17 @@ function showSimulation(panel, simulation) {
   });
   simulated.states =
       new StateControls(simulation, () => simulated.episode < 0 || simulation.ended ? null : simulated.steps);
+  simulated.keys = new SteeringKeys(
+      data.keys || [], () => state.view?.id === "simulation" && !simulated.broken,
+      (parameter, add) => guarded(() => simulated.states.steer(parameter, add)));
   simulated.canvas = about.render ? el("canvas", {role: "img", "aria-label": "What render: shows"}) : null;
   const toolbar = simulationToolbar(about);
   panel.replaceChildren();
   add(panel, [
     toolbar,
     el("div.bench", {},
-       el("div", {}, simulated.canvas ? el("div.picture", {}, simulated.canvas) : null, simulated.actions.element,
-          simulated.states.element),
+       el("div", {}, simulated.canvas ? el("div.picture", {}, simulated.canvas) : null, simulated.keys.element,
+          simulated.actions.element, simulated.states.element),
        el("div", {},
           card(
               "", simulated.facts, pairs([["trace hash", simulated.hash], ["the same on Linux", simulated.same]]),

@@ -59,8 +59,8 @@ test("a page has each module that it needs once, after those that it imports", (
                      .filter(([, line]) => line)
                      .map(([name, line]) => [name, script.split(line).length - 1, script.indexOf(line)]);
   const ofSomePages = new Set([
-    "simulation_view.mjs", "simulation_controls.mjs", "growing_plots.mjs", "history.mjs", "stream.mjs",
-    "stream_shown.mjs", "stream_view.mjs", "charts.mjs", "training_view.mjs", "loop_view.mjs"
+    "simulation_view.mjs", "simulation_controls.mjs", "simulation_keys.mjs", "growing_plots.mjs", "history.mjs",
+    "stream.mjs", "stream_shown.mjs", "stream_view.mjs", "charts.mjs", "training_view.mjs", "loop_view.mjs"
   ]);
   const isOfSome = (name) => ofSomePages.has(name) || name.startsWith("edit_");
   for (const [name, times] of places) assert.equal(times, isOfSome(name) ? 0 : 1, name);

@@ -160,8 +160,14 @@ test("the timetable shows the bound of an image", () => {
   assert.match(text, /the loop at x\.hpp:3: none for policy/);
   assert.ok(!/policy10.401/.test(text), "a row without a bound");
   readable(document.getElementById("view-timetable"), "timetable");
-  run("timetable.canvas").parentElement.send("pointermove", {clientX: 300, clientY: run("kHead + kRow / 2")});
-  assert.match(document.getElementById("tip").textContent, /at most 1\.589 ms after its time, by the image's bound/);
+  const tip = () => {
+    run("timetable.canvas").parentElement.send("pointermove", {clientX: 300, clientY: run("kHead + kRow / 2")});
+    return document.getElementById("tip").textContent;
+  };
+  assert.match(tip(), /at most 1\.589 ms after its time, by the image's bound/);
+  assert.doesNotMatch(tip(), /measured/);
+  run("timetable.measured = new Map([[order[0], {first: 0, late: new Array(1000).fill(0.0012)}]])");
+  assert.match(tip(), /at most 1\.589 ms after its time, by the image's bound.*measured 1\.2 ms after its time/);
 });
 
 test("search finds what has a name, the nearest first", () => {

@@ -18,6 +18,21 @@ FormatPtr bound_format(ReferenceRule references) {
                         {format::list("a list of numbers", item, 1), item});
 }
 
+/// Keys of a keyboard, and what each does while it is held.
+FormatPtr render_keys_format() {
+  const FormatPtr number = format::number("a number");
+  return format::map(
+      "keys",
+      format::record(
+          "what a key does",
+          {{"parameter", format::port("a parameter such as `commands.value`"), true,
+            "a parameter under `tunable:` that can change while the graph runs"},
+           {"add",
+            format::one_of("a number, or a list of numbers",
+                           {format::list("a list of numbers", number, 1), number}),
+            true, "what it adds, while it is held, to the value that a reset sampled, or to 0"}}));
+}
+
 FormatPtr part_format() {
   return format::one_of(
       "a board, or a part such as `{host: camera_pc}` or `{part: left, target: stm32f405}`",
@@ -297,7 +312,9 @@ FormatPtr make_graph_format(GraphForm form) {
             "`render`",
             {{"source", format::port("a port such as `pendulum.scene` or `overlay.scene`"), true,
               "a sensor or an output with a scene or an image"},
-             rate_field(false, "pictures a second (default: the graph's rate)")}),
+             rate_field(false, "pictures a second (default: the graph's rate)"),
+             {"keys", render_keys_format(), false,
+              "keys that steer the simulation of `report --simulate` while they are held"}}),
         false, "drawing that `--render` of a program shows"},
        {"telemetry", telemetry_format(), false,
         "messages that a board sends over its serial port, in real time"},

@@ -219,12 +219,26 @@ void read_task(const YamlValue::Entry& entry, GraphSpec& spec, Diagnostics& diag
   }
 }
 
+std::vector<RenderKey> read_keys(const YamlValue& yaml) {
+  std::vector<RenderKey> keys;
+  for (const auto& entry : yaml.entries) {
+    RenderKey& key = keys.emplace_back();
+    key.key = {entry.key, entry.key_span};
+    key.parameter = spanned_text(*entry.value.find("parameter"));
+    const YamlValue& add = *entry.value.find("add");
+    for (const YamlValue& number : add.items) key.add.push_back(real_of(number).value_or(0.0));
+    if (add.is_scalar()) key.add.push_back(real_of(add).value_or(0.0));
+  }
+  return keys;
+}
+
 /// The picture's input; its source becomes a connection, as an input of the task does.
 void read_render(const YamlValue::Entry& entry, GraphSpec& spec) {
   RenderSpec render;
   render.span = entry.key_span;
   render.source = spanned_text(*entry.value.find("source"));
   render.rate = optional_of<Rational>(entry.value, "rate", rational_of);
+  if (const YamlValue* keys = entry.value.find("keys")) render.keys = read_keys(*keys);
   ConnectionSpec connection;
   connection.span = entry.key_span;
   connection.from = render.source;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
@@ -63,6 +64,36 @@ void mark_drawn(Graph& graph) {
   }
 }
 
+/// The state of a node that `node.parameter` names, if it can be set while an episode runs.
+const State* running_state(const Graph& graph, const std::string& name) {
+  for (const GraphNode& node : graph.nodes) {
+    if (node.role != NodeRole::node || !name.starts_with(node.name + ".")) continue;
+    const auto state = ranges::find(node.states, name.substr(node.name.size() + 1), &State::name);
+    if (state != node.states.end() && state->settable && state->tunes_running) return &*state;
+  }
+  return nullptr;
+}
+
+void check_key(const RenderKey& key, UnresolvedGraph& draft) {
+  const std::string& name = key.parameter.value;
+  const State* state = running_state(draft.graph, name);
+  if (state == nullptr) {
+    draft.diagnostics
+        .error(
+            "E0364", key.parameter.span,
+            fmt::format("the key `{}` cannot set `{}` while the graph runs", key.key.value, name))
+        .help = fmt::format(
+        "write `tunable: [{}]`; `eagerx-gen info` lists what is tunable while it runs", name);
+  } else if (state->space.size() != key.add.size()) {
+    draft.diagnostics
+        .error("E0364", key.key.span,
+               fmt::format("the key `{}` adds {} to `{}`, which has {}", key.key.value,
+                           counted(key.add.size(), "number"), name,
+                           counted(state->space.size(), "number")))
+        .help = "give `add` a number for each";
+  }
+}
+
 }  // namespace
 
 void add_render(UnresolvedGraph& draft) {
@@ -101,6 +132,7 @@ void resolve_render(UnresolvedGraph& draft) {
         "or [height, width]";
     return;
   }
+  for (const RenderKey& key : draft.spec.render->keys) check_key(key, draft);
   mark_drawn(graph);
   if (!graph.placement) return;
   // Pictures are the hub's.

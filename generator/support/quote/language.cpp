@@ -1,6 +1,8 @@
 #include "generator/support/quote/language.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "generator/support/quote/quote.hpp"
 
@@ -14,6 +16,17 @@ bool in_word(char c) {
 bool is_number(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789.+-eE") == std::string_view::npos;
 }
+
+using CharacterSet = std::array<bool, std::numeric_limits<unsigned char>::max() + 1>;
+
+constexpr CharacterSet set_of(std::string_view characters) {
+  CharacterSet set{};
+  for (const char c : characters) set[static_cast<unsigned char>(c)] = true;
+  return set;
+}
+
+// What can end code, in any language; comments and strings begin and end with one of these.
+constexpr CharacterSet kEndsCode = set_of("/*\"'#[\\");
 
 }  // namespace
 
@@ -114,8 +127,29 @@ void Quoter::step(char c) {
   result_ += c;
 }
 
+/// The number of characters at the beginning of `text` that change nothing but result_.
+std::size_t Quoter::plain_prefix(std::string_view text) const {
+  if (escaped_) return 0;
+  if (where_ == Where::code) {
+    const auto end =
+        std::ranges::find_if(text, [](char c) { return kEndsCode[static_cast<unsigned char>(c)]; });
+    return static_cast<std::size_t>(end - text.begin());
+  }
+  if (where_ == Where::line_comment && language_ != Language::cmake)
+    return std::min(text.find('\n'), text.size());
+  return 0;
+}
+
+/// Most of a text is plain, and goes to the result as a whole.
 void Quoter::add(std::string_view text) {
-  for (const char c : text) step(c);
+  while (!text.empty()) {
+    const std::size_t plain = plain_prefix(text);
+    result_ += text.substr(0, plain);
+    text.remove_prefix(plain);
+    if (text.empty()) return;
+    step(text.front());
+    text.remove_prefix(1);
+  }
 }
 
 std::optional<std::string> Quoter::text_for(std::string_view value) const {

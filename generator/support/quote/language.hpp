@@ -37,6 +37,7 @@ class Quoter {
     raw,        // CMake's [[ ]], C++'s R"( )": nothing can be escaped
   };
 
+  [[nodiscard]] std::size_t plain_prefix(std::string_view text) const;
   void step(char c);
   void step_code(char c);
   [[nodiscard]] bool has_line_comments_with(char c, char before) const;

@@ -70,6 +70,18 @@ Json images_json(const std::vector<PageImage>& images) {
   return list;
 }
 
+/// Keys that steer the simulation.
+Json keys_json(const RenderSpec& render) {
+  Json list = Json::list();
+  for (const RenderKey& key : render.keys) {
+    Json add = Json::list();
+    for (const double number : key.add) add.push_back(number);
+    list.push_back(
+        Json{{"key", key.key.value}, {"parameter", key.parameter.value}, {"add", std::move(add)}});
+  }
+  return list;
+}
+
 }  // namespace
 
 Json page_json(const PageContents& contents) {
@@ -89,6 +101,7 @@ Json page_json(const PageContents& contents) {
   if (contents.loops) page["loops"] = *contents.loops;
   if (contents.is_live) page["live"] = true;
   if (contents.module) page["module"] = base64(*contents.module);
+  if (contents.module && contents.spec->render) page["keys"] = keys_json(*contents.spec->render);
   return page;
 }
 
