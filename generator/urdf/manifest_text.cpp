@@ -7,7 +7,6 @@
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/quote/quote.hpp"
 #include "generator/urdf/robot.hpp"
-#include "models/engines/open_dynamics_engine/rigid_joints.hpp"
 
 namespace eagerx::urdf {
 namespace {
@@ -60,6 +59,7 @@ class Manifest {
     for (const Shape& shape : robot_.shapes) {
       if (!shape.body.empty()) add_contact(shape.name);
     }
+    add_contacts();
     if (!robot_.bodies.empty()) add_scene();
     if (robot_.ground)
       state("ground_friction", "{dtype: float32, shape: [], low: 0.2, high: 1.0}",
@@ -192,10 +192,13 @@ description: |
     nodes_ += fmt::format(", config: {{{}}}}}\n", config);
   }
 
+  /// `in_open_dynamics` is the type on OpenDynamicsEngine, if it is another one.
   void state(const std::string& name, const std::string& space, const std::string& about,
-             const std::string& type) {
+             const std::string& type, const std::string& in_open_dynamics = {}) {
     states_ += fmt::format("  {}: {{space: {}, about: \"{}\"}}\n", name, space, about);
-    engine_states_ += fmt::format("      {}: {{type: {}}}\n", name, type);
+    multibody_states_ += fmt::format("      {}: {{type: {}}}\n", name, type);
+    open_dynamics_states_ += fmt::format("      {}: {{type: {}}}\n", name,
+                                         in_open_dynamics.empty() ? type : in_open_dynamics);
   }
 
   static std::string space_of(const std::vector<BodyJoint>& joints, const std::string& low,
@@ -246,6 +249,12 @@ description: |
         [](const BodyJoint& j) { return or_else(j.limits.drive.position_low, low(j)); },
         [](const BodyJoint& j) { return or_else(j.limits.drive.position_high, high(j)); },
         "of all joints, in rad and m");
+    const std::string driven = fmt::format("config: {{joints: {}}}", yaml_names(driven_));
+    state("strength",
+          fmt::format("{{dtype: float32, shape: [{}], low: 0.9, high: 1.1}}", driven_.size()),
+          "factor on the torque of each actuator", "JointStrength, " + driven);
+    state("gains", "{dtype: float32, shape: [2], low: 0.9, high: 1.1}",
+          "factors on stiffness and damping of the actuator `position`", "JointGains, " + driven);
   }
 
   template <class Low, class High>
@@ -286,6 +295,61 @@ description: |
           fmt::format("BodyPose, config: {{{}}}", config));
     state(body.name + "_speed", "{dtype: float32, shape: [6], low: -1.0, high: 1.0}",
           "twist as the sensor gives it", fmt::format("BodyTwist, config: {{{}}}", config));
+    state(body.name + "_center_of_mass", "{dtype: float32, shape: [3], low: -0.02, high: 0.02}",
+          "offset of the center of mass from the description's in m, on MultibodyEngine",
+          fmt::format("BodyCenterOfMass, config: {{{}}}", config), "DummyState");
+    add_force(body.name, config);
+    add_heights(body);
+  }
+
+  void add_force(const std::string& name, const std::string& config) {
+    const std::string port = name + "_force";
+    actuators_ += fmt::format(
+        "  {}: {{rate: {}, space: {{dtype: float32, shape: [3], low: -999.0, high: 999.0}}, about: "
+        "\"a push in the center of mass, in N in the axes of the world\"}}\n",
+        port, kRate);
+    nodes_ += fmt::format(
+        "      {0}: {{type: BodyForceActuator, rate: $(actuators {0} rate), config: {{{1}}}}}\n",
+        port, config);
+    connections_ += fmt::format("      - {{from: actuators.{0}, to: {0}.action}}\n", port);
+  }
+
+  /// Of a free body and of the joints above the ground.
+  void add_heights(const Body& free) {
+    sensor(free.name + "_height", "{dtype: float32, shape: [1], low: -999.0, high: 999.0}",
+           "of the center of mass above the ground, in m", "HeightSensor");
+    configured("bodies: " + gen::yaml_text(free.name));
+    if (joints_.empty() || has_heights_) return;
+    has_heights_ = true;
+    std::string bodies, points;
+    for (const BodyJoint& joint : joints_) {
+      const auto child = std::ranges::find(robot_.bodies, joint.child, &Body::name);
+      const Vector3 arm = joint.anchor - child->position;
+      bodies += (bodies.empty() ? "" : " ") + joint.child;
+      for (const double x : {arm[0], arm[1], arm[2]})
+        points +=
+            (points.empty() ? "" : ", ") + gen::double_literal(std::round(1e6 * x) / 1e6 + 0.0);
+    }
+    sensor("joint_heights", space_of(joints_, "-999.0", "999.0"),
+           "of all joints above the ground, in m", "HeightSensor");
+    configured(fmt::format("bodies: {}, size: {}, points: [{}]",
+                           joints_.size() == 1 ? gen::yaml_text(bodies) : bodies, joints_.size(),
+                           points));
+  }
+
+  /// Of all shapes in one message.
+  void add_contacts() {
+    std::string names;
+    std::size_t count = 0;
+    for (const Shape& shape : robot_.shapes) {
+      if (shape.body.empty()) continue;
+      names += (count++ == 0 ? "" : " ") + shape.name;
+    }
+    if (count == 0) return;
+    sensor("contacts", fmt::format("{{dtype: float32, shape: [{}], low: 0.0, high: 1.0}}", count),
+           "1 for each shape that something touches: " + names, "ContactSensor");
+    configured(
+        fmt::format("geometries: {}, size: {}", count == 1 ? gen::yaml_text(names) : names, count));
   }
 
   void add_contact(const std::string& shape) {
@@ -294,63 +358,13 @@ description: |
     configured("geometry: " + gen::yaml_text(shape));
   }
 
-  /// The corners of a box around everything that is drawn, in the initial position [m].
-  std::pair<Vector3, Vector3> extent() const {
-    Vector3 low{}, high{};
-    bool is_first = true;
-    const auto add = [&](const Vector3& middle, double radius) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        low[i] = is_first ? middle[i] - radius : std::min(low[i], middle[i] - radius);
-        high[i] = is_first ? middle[i] + radius : std::max(high[i], middle[i] + radius);
-      }
-      is_first = false;
-    };
-    const auto in_world = [&](const std::string& name, const Vector3& at) {
-      const auto body = std::ranges::find(robot_.bodies, name, &Body::name);
-      return body != robot_.bodies.end() ? body->position + at : at;
-    };
-    for (const Facet& facet : robot_.facets) {
-      for (const Vector3& corner : facet.corners) add(in_world(facet.body, corner), 0.0);
-    }
-    for (const Shape& shape : robot_.shapes) {
-      if (shape.kind != models::ShapeKind::plane)
-        add(in_world(shape.body, shape.position), radius_of(shape));
-    }
-    for (const BodyJoint& joint : joints_) add(joint.anchor, 0.0);
-    for (const Body& body : robot_.bodies) {
-      if (!body.is_made) add(body.position, 0.0);
-    }
-    return {low, high};
-  }
-  /// Of a sphere around a shape [m].
-  static double radius_of(const Shape& shape) {
-    const Vector3& size = shape.size;
-    switch (shape.kind) {
-      case models::ShapeKind::box:
-        return 0.5 * std::sqrt(dot(size, size));
-      case models::ShapeKind::capsule:
-      case models::ShapeKind::cylinder:
-        return size[0] + 0.5 * size[1];
-      default:
-        return size[0];
-    }
-  }
-
-  /// A drawing from the front, the right and above, so that all of the robot is in it.
   void add_scene() {
     const std::size_t rows = std::min<std::size_t>(2 + robot_.facets.size() + robot_.shapes.size() +
                                                        robot_.joints.size() + robot_.bodies.size(),
                                                    kMostRows);
-    const auto free = std::ranges::find_if(robot_.bodies, &Body::is_free);
-    const auto [low, high] = extent();
-    Vector3 target = 0.5 * (low + high);
-    const Vector3 across = high - low;
-    const double distance = std::max(0.2, 1.6 * std::sqrt(dot(across, across)));
-    std::string follow;
-    if (free != robot_.bodies.end()) {
-      follow = fmt::format(", follow: {}", gen::yaml_text(free->name));
-      target = {{target[0] - free->position[0], target[1] - free->position[1], target[2]}};
-    }
+    const Camera camera = camera_of(robot_);
+    const std::string follow =
+        camera.follow.empty() ? "" : ", follow: " + gen::yaml_text(camera.follow);
     const auto rounded = [](Vector3 v) {
       for (std::size_t i = 0; i < 3; ++i) v[i] = std::round(1e3 * v[i]) / 1e3;
       return vector_text(v);
@@ -362,63 +376,34 @@ description: |
     nodes_ += fmt::format(
         "      scene: {{type: RigidDrawing, rate: $(sensors scene rate), config: {{rows: {}, eye: "
         "{}, target: {}{}}}}}\n",
-        rows, rounded(target + distance * Vector3{{0.6, -0.7, 0.4}}), rounded(target), follow);
+        rows, rounded(camera.eye), rounded(camera.target), follow);
     connections_ += "      - {from: scene.scene, to: sensors.scene}\n";
   }
 
   std::string engines() const {
-    return "engines:\n" + (can_use_open_dynamics(robot_) ? engine("OpenDynamicsEngine", "") : "") +
-           (can_use_multibody(robot_) ? engine("MultibodyEngine", ", vectorized: true") : "");
+    return "engines:\n" +
+           (can_use_open_dynamics(robot_) ? engine("OpenDynamicsEngine", "", open_dynamics_states_)
+                                          : "") +
+           (can_use_multibody(robot_)
+                ? engine("MultibodyEngine", ", vectorized: true", multibody_states_)
+                : "");
   }
-  std::string engine(const char* name, const char* more) const {
+  std::string engine(const char* name, const char* more, const std::string& states) const {
     return fmt::format(
         "  {5}:\n    model: {{header: {0}.hpp, class: \"eagerx::models::{1}\"{6}}}\n    nodes:\n{2}"
         "    connections:\n{3}    states:\n{4}",
-        robot_.name, robot_.id, nodes_, connections_, engine_states_, name, more);
+        robot_.name, robot_.id, nodes_, connections_, states, name, more);
   }
 
   const Robot& robot_;
   std::vector<BodyJoint> joints_;  // that move, without those that follow another one
   std::vector<BodyJoint> driven_;  // that have actuators
-  std::string sensors_, actuators_, states_, nodes_, connections_, engine_states_;
+  std::string sensors_, actuators_, states_, nodes_, connections_;
+  std::string multibody_states_, open_dynamics_states_;
+  bool has_heights_ = false;
 };
 
 }  // namespace
-
-bool can_use_multibody(const Robot& robot) {
-  const auto planes = std::ranges::count(robot.shapes, models::ShapeKind::plane, &Shape::kind);
-  if (planes + (robot.ground ? 1 : 0) > 1) return false;
-  const auto free = std::ranges::count_if(robot.bodies, &Body::is_free);
-  const bool on_world = std::ranges::any_of(
-      robot.joints, [](const BodyJoint& joint) { return joint.parent.empty(); });
-  return free + (on_world ? 1 : 0) == 1;
-}
-
-bool can_use_open_dynamics(const Robot& robot) {
-  return std::ranges::all_of(robot.joints, &std::string::empty, &BodyJoint::mimics);
-}
-
-std::optional<QuickJoint> quickest_joint(const Robot& robot) {
-  std::optional<QuickJoint> result;
-  for (const BodyJoint& joint : robot.joints) {
-    const double speed = joint.limits.velocity, torque = joint.limits.effort;
-    if (joint.is_fixed || !std::isfinite(speed) || !std::isfinite(torque) || torque <= 0.0)
-      continue;
-    const auto child = std::ranges::find(robot.bodies, joint.child, &Body::name);
-    models::RigidJoint as_scene;
-    as_scene.kind = joint.slides ? models::JointKind::slider : models::JointKind::hinge;
-    as_scene.anchor = joint.anchor;
-    as_scene.axis = joint.axis;
-    const models::RigidBody body = {.name = "",
-                                    .mass = child->mass,
-                                    .inertia = child->inertia,
-                                    .position = child->position,
-                                    .products = child->products};
-    const double time_s = models::inertia_of_joint(as_scene, body) * speed / torque;
-    if (!result || time_s < result->time_s) result = QuickJoint{joint.name, time_s, speed};
-  }
-  return result;
-}
 
 std::string manifest_text(const Robot& robot) {
   return Manifest(robot).text();

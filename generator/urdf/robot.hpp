@@ -101,4 +101,11 @@ std::optional<QuickJoint> quickest_joint(const Robot& robot);
 std::string header_text(const Robot& robot);
 std::string manifest_text(const Robot& robot);
 
+/// A view of all of a robot, from the front, the right and above [m].
+struct Camera {
+  Vector3 eye, target;  // about the horizontal position of `follow`, if there is one
+  std::string follow;   // the free body, or empty
+};
+Camera camera_of(const Robot& robot);
+
 }  // namespace eagerx::urdf

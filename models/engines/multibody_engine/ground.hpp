@@ -74,6 +74,13 @@ class Ground {
     return result;
   }
 
+  /// Of a point from plane_point() [m]: vertical above heights, else the distance from the plane.
+  static Real height(const State<Model>& state, const Vec<Real>& at) {
+    const Surface below = surface(state, at);
+    if constexpr (kHasHeights<Model>) return at.z - below.point.z;
+    return dot(below.normal, at);
+  }
+
  private:
   struct Surface {
     Vec<Real> point, normal;

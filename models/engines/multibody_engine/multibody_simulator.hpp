@@ -264,6 +264,13 @@ class MultibodySimulator {
     return {{sum.x, sum.y, sum.z}};
   }
 
+  /// Of a point in the world above the object's ground [m]; see HeightSensor.
+  Real height_above_ground(const Array<Real, 3>& at) const {
+    const auto point = multibody::constant<Real>(multibody::plane_point<Model>());
+    return multibody::Ground<Model>::height(state_,
+                                            multibody::Vec<Real>{at[0], at[1], at[2]} - point);
+  }
+
   // ---- for the engine
   void begin_episode() {
     multibody::follow_leaders<Model>(state_);

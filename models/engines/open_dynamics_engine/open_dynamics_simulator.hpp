@@ -223,6 +223,18 @@ class OpenDynamicsSimulator {
   void watch_contact_force(std::size_t geometry) { shape_[geometry].watched = true; }
   /// Of all contacts of a geometry in the last step, in the world's axes [N].
   Vector3 contact_force(std::size_t geometry) const { return shape_[geometry].force; }
+  /// Of a point in the world above the object's ground [m]; see HeightSensor.
+  double height_above_ground(const Vector3& at) const {
+    constexpr std::size_t kPlane = scene::find_plane<Model>();
+    if constexpr (requires { Model::kHeights; }) {
+      return at[2] - heights_.below(at).at[2];
+    } else if constexpr (kPlane < kGeometries) {
+      const RigidGeometry& plane = Model::kGeometries[kPlane];
+      return dot(plane.axis, at - origin() - plane.position);
+    } else {
+      return at[2] - origin()[2];
+    }
+  }
   /// Mean acceleration over the engine's last period without gravity, in the body's axes [m/s²].
   Vector3 specific_force(std::size_t body) const {
     dVector3 g;

@@ -19,6 +19,7 @@
 #include <models/engines/gym_engine/gym_engine.hpp>
 #include <models/nodes/action_limits/action_limits.hpp>
 #include <models/nodes/backlash/backlash.hpp>
+#include <models/nodes/body_motion/body_motion.hpp>
 #include <models/nodes/butterworth_filter/butterworth_filter.hpp>
 #include <models/nodes/complementary_filter/complementary_filter.hpp>
 #include <models/nodes/computed_torque/computed_torque.hpp>
@@ -52,6 +53,7 @@
 #include <models/nodes/operational_space/operational_space.hpp>
 #include <models/nodes/pid_controller/pid_controller.hpp>
 #include <models/nodes/product/product.hpp>
+#include <models/nodes/pushes/pushes.hpp>
 #include <models/nodes/quantizer/quantizer.hpp>
 #include <models/nodes/reference/reference.hpp>
 #include <models/nodes/reset_angle/reset_angle.hpp>
@@ -59,12 +61,14 @@
 #include <models/nodes/saturation/saturation.hpp>
 #include <models/nodes/sensor_model/sensor_model.hpp>
 #include <models/nodes/slew_limit/slew_limit.hpp>
+#include <models/nodes/speed_errors/speed_errors.hpp>
 #include <models/nodes/state_feedback/state_feedback.hpp>
 #include <models/nodes/state_space/state_space.hpp>
 #include <models/nodes/sum/sum.hpp>
 #include <models/nodes/switch/switch.hpp>
 #include <models/nodes/transport_delay/transport_delay.hpp>
 #include <models/nodes/unit_delay/unit_delay.hpp>
+#include <models/nodes/walking_commands/walking_commands.hpp>
 #include <models/nodes/windowed_butterworth/windowed_butterworth.hpp>
 #include <models/objects/gym_acrobot/gym_acrobot.hpp>
 #include <models/objects/gym_cart_pole/gym_cart_pole.hpp>
@@ -92,6 +96,7 @@
 #include "tests/unit/models/entity_io.hpp"
 #include "tests/unit/models/gym_io.hpp"
 #include "tests/unit/models/safety_io.hpp"
+#include "tests/unit/models/walking_io.hpp"
 #include "tests/unit/multibody/robot_block_io.hpp"
 
 namespace eagerx::models {
@@ -139,6 +144,14 @@ template struct ObsWithDecomposedAngle<ProcessorIo<float, Array<float, 3>, Array
 template struct ObsWithDecomposedAngle<ProcessorIo<double, Array<float, 3>, Array<float, 2>>>;
 template class ActionLimits<testing::ActionLimitsIo<float, Array<float, 2>>>;
 template class ActionLimits<testing::ActionLimitsIo<double, float>>;
+template class WalkingCommands<testing::WalkingCommandsIo<float>>;
+template class WalkingCommands<testing::WalkingCommandsIo<double>>;
+template class Pushes<testing::PushesIo<float>>;
+template class Pushes<testing::PushesIo<double>>;
+template class BodyMotion<testing::BodyMotionIo<float>>;
+template class BodyMotion<testing::BodyMotionIo<double>>;
+template class SpeedErrors<testing::SpeedErrorsIo<float>>;
+template class SpeedErrors<testing::SpeedErrorsIo<double>>;
 template class SlewLimit<testing::SlewLimitIo<float, float>>;
 template class SlewLimit<testing::SlewLimitIo<double, Array<float, 2>>>;
 template class NanGuard<testing::NanGuardIo<float, Array<float, 2>>>;

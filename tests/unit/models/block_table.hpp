@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <models/nodes/action_limits/action_limits.hpp>
 #include <models/nodes/backlash/backlash.hpp>
+#include <models/nodes/body_motion/body_motion.hpp>
 #include <models/nodes/complementary_filter/complementary_filter.hpp>
 #include <models/nodes/computed_torque/computed_torque.hpp>
 #include <models/nodes/constant/constant.hpp>
@@ -130,6 +131,13 @@ struct Bench {
       for (const auto* vector : {&velocity, &angular_velocity, &gravity}) {
         for (const auto& x : *vector) read(x);
       }
+    } else if constexpr (requires(typename Io::Outputs out) { out.gravity; }) {  // BodyMotion
+      std::array<V<Real, 3>, 3> vectors{};
+      typename Io::Outputs out{vectors[0], vectors[1], vectors[2]};
+      node.callback(Tick{n}, in, out);
+      for (const auto& vector : vectors) {
+        for (const auto& x : vector) read(x);
+      }
     } else {
       Output y{};
       typename Io::Outputs out{y};
@@ -149,7 +157,7 @@ struct Bench {
   /// In an unevaluated expression only.
   static auto output(typename Io::Outputs& out) {
     if constexpr (
-        requires { out.c; } || requires { out.attitude; }) {
+        requires { out.c; } || requires { out.gravity; }) {
       return std::type_identity<int>{};
     } else {
       auto& [first] = out;
@@ -206,7 +214,7 @@ Answer answer_of(float wrong, std::size_t wrong_input) {
 template <template <class> class Node, template <class> class Io, class Signal, std::size_t... N>
 void spend_on(Seq ticks) {
   Bench<Node, Io<float>, N...> bench;
-  volatile float sink = 0.0F;
+  [[maybe_unused]] volatile float sink = 0.0F;
   for (Seq n = 0; n < ticks; ++n) {
     const auto write = [n](float& x, std::uint32_t input, std::size_t /*i*/) {
       if (n == 0) x = Signal::at(1, input);
@@ -231,6 +239,16 @@ constexpr Row row(std::string_view folder, std::string_view what, double bound) 
 
 using Far = Around<300>;
 using Near = Around<0>;
+template <class Real>
+struct MotionIo : blocks::BlockIo<Real, NoConfig> {
+  struct Inputs {
+    Skipped<V<Real, 7>> pose;
+    Skipped<V<Real, 6>> twist;
+  };
+  struct Outputs {
+    V<Real, 3>&velocity, &angular_velocity, &gravity;
+  };
+};
 template <class Real>
 using BacklashIo = SignalIo<Real, blocks::PlayConfig>;
 template <class Real>
@@ -299,10 +317,12 @@ using ArmHandIo = robots::OperationalIo<Real, robots::HandConfig<robots::MixedAr
 /// a second times the frequency, and a derivative within the PID controllers divides by the period.
 /// Torques are sums of terms that are a hundred times as large. The search of InverseKinematics
 /// begins at one posture: from its last q, roundings move the joint that the goal leaves free. The
-/// feet of FloatingBaseObserver say little of the gyroscope's bias about the vertical.
+/// feet of FloatingBaseObserver say little of the gyroscope's bias about the vertical. Quaternions
+/// of BodyMotion are of any length here, so that it, too, adds terms far larger than their sum.
 inline constexpr std::array kBlocks = {
     row<ActionLimits, LimitsOfActionIo, Near, 0, 1>("action_limits", "", 0.0),
     row<Backlash, BacklashIo, Far, 0, 1>("backlash", "", 1e-7),
+    row<BodyMotion, MotionIo, Near, 0, 7, 6>("body_motion", "", 1e-4),
     row<ButterworthFilter, LowIo, Far, 0, 1>("butterworth_filter", "0.05 Hz", 1e-6),
     row<ButterworthFilter, LowMeasuredIo, Far, 0, 1>("butterworth_filter", "measured", 1e-6),
     row<ButterworthFilter, FastIo, Far, 0, 1>("butterworth_filter", "60 Hz", 5e-6),
@@ -363,10 +383,13 @@ inline constexpr std::array kBlocks = {
     row<WindowedButterworth, WindowIo, Near, 0, 1>("windowed_butterworth", "", 0.0),
 };
 
-/// Folders of models/nodes whose manifests have no numbers as inputs, or no class of their own.
-inline constexpr std::array<std::string_view, 3> kNoBlocks = {
-    "cascade_controller",             // a composite of blocks
-    "rasterizer", "grey_rasterizer",  // take drawings
+/// Folders of models/nodes whose manifests have no numbers as inputs, or no class of their own, or
+/// that are about one episode.
+inline constexpr std::array<std::string_view, 6> kNoBlocks = {
+    "cascade_controller",                     // a composite of blocks
+    "rasterizer",         "grey_rasterizer",  // take drawings
+    "walking_commands",   "pushes",           // sampled when an episode begins, and have no inputs
+    "speed_errors",  // means over an episode, which keep a NaN until it ends
 };
 
 }  // namespace eagerx::models::testing::long_runs

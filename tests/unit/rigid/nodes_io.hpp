@@ -6,6 +6,8 @@
 #include <models/engine_nodes/body_pose_sensor/body_pose_sensor.hpp>
 #include <models/engine_nodes/body_twist_sensor/body_twist_sensor.hpp>
 #include <models/engine_nodes/contact_force_sensor/contact_force_sensor.hpp>
+#include <models/engine_nodes/contact_sensor/contact_sensor.hpp>
+#include <models/engine_nodes/height_sensor/height_sensor.hpp>
 #include <models/engine_nodes/imu_sensor/imu_sensor.hpp>
 #include <models/engine_nodes/joint_motor_actuator/joint_motor_actuator.hpp>
 #include <models/engine_nodes/joint_position_actuator/joint_position_actuator.hpp>
@@ -79,6 +81,26 @@ template <class Simulator>
 struct GeometryIo : SensorIo<Simulator, 3> {
   struct Config {
     static constexpr const char* geometry = "box";
+  };
+};
+
+/// Of the box's ends along x, or of its center.
+template <class Simulator, std::size_t N>
+struct HeightsIo : SensorIo<Simulator, N> {
+  struct Config {
+    static constexpr const char* bodies = N == 2 ? "box box" : "box";
+    static constexpr std::array<double, 3 * N> points = [] {
+      std::array<double, 3 * N> all{};
+      if constexpr (N == 2) all = {0.1, 0.0, 0.0, -0.1, 0.0, 0.0};
+      return all;
+    }();
+  };
+};
+template <class Simulator>
+struct ContactsIo : SensorIo<Simulator, 2> {
+  struct Config {
+    static constexpr const char* geometries = "ground box";
+    static constexpr double threshold = 19.0;
   };
 };
 

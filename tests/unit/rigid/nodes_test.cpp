@@ -153,6 +153,24 @@ TEST(RigidNodes, ForcesPushAndContactsPushBack) {
   EXPECT_NEAR(force[2], 2.0F * 9.81F + 10.0F, 0.01F);
 }
 
+TEST(RigidNodes, HeightsAndContactsAreThoseOfTheGround) {
+  BoxScene scene;
+  using Heights = With<HeightSensor, HeightsIo<BoxScene::Simulator, 2>>;
+  using Contacts = With<ContactSensor, ContactsIo<BoxScene::Simulator>>;
+  scene.simulator.want_pose(0, {{0.0, 0.0, 5.0, 0.8, 0.0, 0.6, 0.0}});  // 74 degrees, nose down
+  scene.reset();
+  const auto ends = sense<Heights, 2>(scene.simulator);
+  EXPECT_NEAR(ends[0], 5.0F - 0.096F, 1e-6F);
+  EXPECT_NEAR(ends[1], 5.0F + 0.096F, 1e-6F);
+  scene.simulator.want_pose(0, {{0.0, 0.0, 0.05, 1.0, 0.0, 0.0, 0.0}});
+  scene.reset();
+  EXPECT_EQ((sense<Contacts, 2>(scene.simulator)), (Array<float, 2>{{0.0F, 0.0F}}));
+  for (int i = 0; i < 50; ++i) scene.tick();
+  EXPECT_EQ((sense<Contacts, 2>(scene.simulator)), (Array<float, 2>{{1.0F, 1.0F}})) << "19.6 N";
+  EXPECT_NEAR((sense<With<HeightSensor, HeightsIo<BoxScene::Simulator, 1>>, 1>(scene.simulator)[0]),
+              0.05F, 1e-3F);
+}
+
 TEST(RigidNodes, StatesChangeMassFrictionGravityAndParameters) {
   BoxScene scene;
   using Io = BodyIo<BoxScene::Simulator, 7>;

@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <models/engines/open_dynamics_engine/scene.hpp>
 
+#include "terrain.hpp"
+
 namespace walking {
 
-/// A trunk and four legs of hip, thigh and calf on the plane z = 0; see the manifest. The bodies
-/// stand on straight legs in the reference pose.
+/// A trunk and four legs of hip, thigh and calf on the plane z = 0 or terrain; see the manifest.
+/// The bodies stand on straight legs in the reference pose.
 template <class Io>
-struct Walker {
+struct Walker : Floor<typename Io::Real, Io::Config::terrain> {
   using Real = typename Io::Real;
   static constexpr double kLink = 0.2;                    // length of thigh and calf [m]
   static constexpr double kFoot = 0.02;                   // radius [m]

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <models/nodes/block.hpp>
 
-namespace walking {
+namespace eagerx::models {
 
 /// force [3] in N: a row of `impulses` [3, 2] in N·s over the duration of a push; see the manifest.
 template <class Io>
@@ -17,7 +17,7 @@ class Pushes {
     if constexpr (requires { states.waits; }) set(waits_, states.waits);
   }
 
-  void callback(const eagerx::Tick& /*tick*/, const typename Io::Inputs& /*in*/,
+  void callback(const Tick& /*tick*/, const typename Io::Inputs& /*in*/,
                 typename Io::Outputs& out) {
     const Real time = ticks_ * Real(kPeriod);
     Real x(0);
@@ -29,18 +29,18 @@ class Pushes {
       x = eagerx::select(pushes, impulses_[2 * k] * Real(kRate), x);
       y = eagerx::select(pushes, impulses_[2 * k + 1] * Real(kRate), y);
     }
-    eagerx::models::put(out.force, 0, x);
-    eagerx::models::put(out.force, 1, y);
-    eagerx::models::put(out.force, 2, Real(0));
+    put(out.force, 0, x);
+    put(out.force, 1, y);
+    put(out.force, 2, Real(0));
     ticks_ = ticks_ + Real(1);
   }
 
  private:
   using Real = typename Io::Real;
   static constexpr std::size_t kCount = 3;
-  static constexpr auto kPeriod = eagerx::models::constant<Real>(Io::Rate::period_s);
-  static constexpr auto kDuration = eagerx::models::constant<Real>(Io::Config::duration);
-  static constexpr auto kRate = eagerx::models::constant<Real>(1.0 / Io::Config::duration);
+  static constexpr auto kPeriod = constant<Real>(Io::Rate::period_s);
+  static constexpr auto kDuration = constant<Real>(Io::Config::duration);
+  static constexpr auto kRate = constant<Real>(1.0 / Io::Config::duration);
 
   template <std::size_t N, class State>
   static void set(std::array<Real, N>& numbers, const State& state) {
@@ -53,4 +53,4 @@ class Pushes {
   std::array<Real, kCount> waits_{};         // [s]
 };
 
-}  // namespace walking
+}  // namespace eagerx::models

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <models/nodes/block.hpp>
 
-namespace walking {
+namespace eagerx::models {
 
 /// speed [m/s], turn [rad/s] and instant [m/s] of velocity [3], angular_velocity [3] and command
 /// [3]; see the manifest.
@@ -14,9 +14,7 @@ class SpeedErrors {
  public:
   void reset(const typename Io::States& /*states*/) { *this = SpeedErrors{}; }
 
-  void callback(const eagerx::Tick& /*tick*/, const typename Io::Inputs& in,
-                typename Io::Outputs& out) {
-    using eagerx::models::newest;
+  void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
     const std::array<Real, 3> motion = {newest<Real>(in.velocity, 0), newest<Real>(in.velocity, 1),
                                         newest<Real>(in.angular_velocity, 2)};
     const std::array<Real, 3> command = {newest<Real>(in.command, 0), newest<Real>(in.command, 1),
@@ -29,15 +27,15 @@ class SpeedErrors {
     ticks_ = ticks_ + Real(1);
     const Real windows = eagerx::max(windows_, Real(1));
     const Real ticks = eagerx::max(ticks_ - Real(1), Real(1));
-    eagerx::models::put(out.speed, 0, speed_ / windows);
-    eagerx::models::put(out.turn, 0, turn_ / windows);
-    eagerx::models::put(out.instant, 0, instant_ / ticks);
+    put(out.speed, 0, speed_ / windows);
+    put(out.turn, 0, turn_ / windows);
+    put(out.instant, 0, instant_ / ticks);
   }
 
  private:
   using Real = typename Io::Real;
   using Truth = eagerx::TruthOf<Real>;
-  static constexpr auto kTicks = eagerx::models::constant<Real>(
+  static constexpr auto kTicks = constant<Real>(
       static_cast<double>(static_cast<int>(Io::Config::window / Io::Rate::period_s + 0.5)));
 
   static Real distance(const std::array<Real, 3>& a, const std::array<Real, 3>& b) {
@@ -75,4 +73,4 @@ class SpeedErrors {
   Real ticks_{};
 };
 
-}  // namespace walking
+}  // namespace eagerx::models

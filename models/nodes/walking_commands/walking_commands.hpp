@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <models/nodes/block.hpp>
 
-namespace walking {
+namespace eagerx::models {
 
 /// command [3] in m/s and rad/s: the row of `speeds` [4, 3] whose turn it is; see the manifest.
 template <class Io>
-class Commands {
+class WalkingCommands {
  public:
   void reset(const typename Io::States& states) {
     ticks_ = Real(0);
@@ -18,7 +18,7 @@ class Commands {
     if constexpr (requires { states.stand; }) set(stand_, states.stand);
   }
 
-  void callback(const eagerx::Tick& /*tick*/, const typename Io::Inputs& /*in*/,
+  void callback(const Tick& /*tick*/, const typename Io::Inputs& /*in*/,
                 typename Io::Outputs& out) {
     const Real time = ticks_ * Real(kPeriod);
     std::array<Real, 3> command = row(0);
@@ -29,15 +29,15 @@ class Commands {
       for (std::size_t i = 0; i < 3; ++i) command[i] = eagerx::select(later, next[i], command[i]);
       end = end + durations_[k];
     }
-    for (std::size_t i = 0; i < 3; ++i) eagerx::models::put(out.command, i, command[i]);
+    for (std::size_t i = 0; i < 3; ++i) put(out.command, i, command[i]);
     ticks_ = ticks_ + Real(1);
   }
 
  private:
   using Real = typename Io::Real;
   static constexpr std::size_t kCount = 4;
-  static constexpr auto kPeriod = eagerx::models::constant<Real>(Io::Rate::period_s);
-  static constexpr auto kStanding = eagerx::models::constant<Real>(Io::Config::standing);
+  static constexpr auto kPeriod = constant<Real>(Io::Rate::period_s);
+  static constexpr auto kStanding = constant<Real>(Io::Config::standing);
 
   template <std::size_t N, class State>
   static void set(std::array<Real, N>& numbers, const State& state) {
@@ -59,4 +59,4 @@ class Commands {
   std::array<Real, kCount> stand_{};
 };
 
-}  // namespace walking
+}  // namespace eagerx::models
