@@ -48,7 +48,8 @@ if(EAGERX_BUILD_LIBRARIES AND NOT CMAKE_CROSSCOMPILING)
   # Tests check these texts, too, in a build type of its own: the libraries are those of every type.
   set(warnings)
   if(EAGERX_BUILD_TESTS)
-    set(warnings "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror")
+    get_target_property(warnings eagerx_warnings INTERFACE_COMPILE_OPTIONS)
+    list(JOIN warnings " " warnings)
   endif()
   add_custom_command(
     OUTPUT ${libraries}.stamp
