@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <models/engine_nodes/rigid_nodes.hpp>
-#include <models/engines/multibody_engine/kinematics.hpp>
 
 namespace eagerx::models {
 
@@ -33,12 +32,7 @@ class HeightSensor : public RigidSensor<Io, HeightSensor<Io>> {
   static Array<Number, 3> place(const Simulator& simulator, std::size_t i) {
     constexpr auto& kPoints = Io::Config::points;
     const std::size_t first = kPoints.size() == 3 ? 0 : 3 * i;
-    const auto pose = simulator.pose(kBodies[i]);
-    const auto arm = multibody::rotated<Number>(
-        {pose[3], pose[4], pose[5], pose[6]},
-        {number_for<Simulator>(kPoints[first]), number_for<Simulator>(kPoints[first + 1]),
-         number_for<Simulator>(kPoints[first + 2])});
-    return {{pose[0] + arm.x, pose[1] + arm.y, pose[2] + arm.z}};
+    return simulator.point(kBodies[i], {{kPoints[first], kPoints[first + 1], kPoints[first + 2]}});
   }
 };
 

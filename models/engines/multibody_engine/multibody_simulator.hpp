@@ -215,6 +215,14 @@ class MultibodySimulator {
     const auto [p, q, v, w] = multibody::placed<Model>(state_, body);
     return {{p.x, p.y, p.z, q.w, q.x, q.y, q.z}};
   }
+  /// Where a point of a body is in the world [m]; `offset` is from the center of mass, in the
+  /// body's axes.
+  Array<Real, 3> point(std::size_t body, const Vector3& offset) const {
+    const auto at = multibody::placed<Model>(state_, body);
+    const auto arm = multibody::rotated(at.rotation, multibody::constant<Real>(offset));
+    const auto place = at.position + arm;
+    return {{place.x, place.y, place.z}};
+  }
   Array<Real, 6> twist(std::size_t body) const {
     const auto [p, q, v, w] = multibody::placed<Model>(state_, body);
     return {{v.x, v.y, v.z, w.x, w.y, w.z}};

@@ -201,6 +201,12 @@ class OpenDynamicsSimulator {
     const auto [p, q, v, w] = state(body);
     return {{p[0], p[1], p[2], q[0], q[1], q[2], q[3]}};
   }
+  /// Where a point of a body is in the world [m]; `offset` is from the center of mass, in the
+  /// body's axes.
+  Vector3 point(std::size_t body, const Vector3& offset) const {
+    const RigidState now = state(body);
+    return now.position + rotate(now.rotation, offset);
+  }
   Twist twist(std::size_t body) const {
     const RigidState now = state(body);
     return joined(now.velocity, now.angular_velocity);

@@ -101,6 +101,10 @@ class MujocoSimulator {
     std::copy_n(motion, 3, &at.angular_velocity[0]);
     return at;
   }
+  models::Vector3 point(std::size_t body, const models::Vector3& offset) const {
+    const models::RigidState at = state(body);
+    return at.position + models::rotate(at.rotation, offset);
+  }
   double height_above_ground(const models::Vector3& at) const { return at[2]; }
   void watch_contact_force(std::size_t /*geometry*/) {}
   /// Of the ground on a geometry in the last step, in the world's axes [N].
