@@ -283,6 +283,7 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
                                  "delay of " + input.written));
     }
   }
+  view.set("has_actions", actions.is_non_empty_list());
   view["actions"] = std::move(actions);
   view.set("numbers", fmt::format("{}", numbers));
   view.set("may_miss", bool_literal(may_miss));
