@@ -88,8 +88,10 @@ struct TurnCounter {
   /// The angle is `position` [rad].
   constexpr void begin(double position, double cosine, double sine) {
     constexpr double kTurnsPerRad = 0.15915494309189535;
+    constexpr double kMost = 4503599627370496.0;  // 2^52; a double does not count beyond it
     const double raw = 2.0 * eagerx::atan2(sine, cosine);
-    turns = static_cast<std::int64_t>(eagerx::floor((position - raw) * kTurnsPerRad + 0.5));
+    const double all = eagerx::floor((position - raw) * kTurnsPerRad + 0.5);
+    turns = static_cast<std::int64_t>(eagerx::max(-kMost, eagerx::min(all, kMost)));
     was_negative = sine < 0.0;
   }
   /// angle_about() jumps by two turns where the cosine is negative and the sine changes its sign.

@@ -238,7 +238,8 @@ class SpacePainter {
     const Point3 at = middle(row);
     const float half = row.n[3];
     const float size = row.n[4] > 0.0F ? row.n[4] : 2.0F * half;
-    const int cells = static_cast<int>(eagerx::min(eagerx::max(2.0F * half / size, 1.0F), 32.0F));
+    const float fit = 2.0F * half / size;  // not a number without a size
+    const int cells = fit > 1.0F ? static_cast<int>(eagerx::min(fit, 32.0F)) : 1;
     for (int i = 0; i < cells; ++i) {
       for (int k = 0; k < cells; ++k) {
         const float x = at.x - half + static_cast<float>(i) * size;

@@ -152,6 +152,15 @@ TEST(Joints, TurnsAreCountedInBothDirections) {
   }
 }
 
+TEST(Joints, TurnsBeyondAllThatADoubleCountsAreTheMost) {
+  constexpr std::int64_t kMost = std::int64_t{1} << 52;
+  for (const double sign : {1.0, -1.0}) {
+    TurnCounter counter;
+    counter.begin(sign * 1e300, 1.0, 0.0);
+    EXPECT_EQ(counter.turns, static_cast<std::int64_t>(sign) * kMost);
+  }
+}
+
 TEST(Joints, TorqueIsPositiveAboutTheAxis) {
   Scene<Wheel, RigidConfig<20>> scene;
   scene.simulator.set_joint_torque(0, 0.5);
