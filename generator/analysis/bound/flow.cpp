@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <string_view>
 #include <unordered_set>
 
@@ -20,7 +21,7 @@ Address last_entry(const Image& image, const Instruction& jump) {
   bool is_checked = false;
   for (std::uint32_t i = 1; i <= kFar && i <= jump.index; ++i) {
     const Instruction& before = image.instructions()[jump.index - i];
-    is_checked |= before.name == "b" && before.condition == "hi";
+    is_checked |= before.name == "b" && before.condition == Condition::hi;
     if (before.operands.empty() || before.operands[0] != index) continue;
     if (before.name != "cmp" || !is_checked || before.operands.size() != 2) return kAny;
     return static_cast<Address>(std::strtoul(before.operands[1].c_str() + 1, nullptr, 10));
@@ -94,7 +95,7 @@ class Builder {
   }
 
   Exit exit_of(const Instruction& instruction) const {
-    const bool is_conditional = !instruction.condition.empty();
+    const bool is_conditional = instruction.is_conditional();
     Exit exit;
     switch (instruction.turn) {
       case Turn::none:
@@ -249,6 +250,17 @@ void grow(const Flow& flow, Loop& loop) {
   }
 }
 
+void list_code(const Flow& flow, Loop& loop) {
+  std::ranges::copy_if(flow.order, std::back_inserter(loop.order),
+                       [&](BlockIndex block) { return loop.has[block]; });
+  for (BlockIndex b = 0; b < flow.blocks.size(); ++b) {
+    if (!loop.has[b]) continue;
+    for (const Instruction* instruction : flow.blocks[b].code)
+      loop.addresses.push_back(instruction->at);
+  }
+  std::ranges::sort(loop.addresses);
+}
+
 void find_loops(Flow& flow) {
   std::vector<std::size_t> number(flow.blocks.size(), kNone);
   for (std::size_t i = 0; i < flow.order.size(); ++i) number[flow.order[i]] = i;
@@ -264,6 +276,7 @@ void find_loops(Flow& flow) {
     }
     if (loop.latches.empty()) continue;
     grow(flow, loop);
+    list_code(flow, loop);
     flow.loops.push_back(std::move(loop));
   }
   // Headers come in their order, so an outer loop comes before those in it.

@@ -1,7 +1,6 @@
 #include "generator/analysis/bound/trips.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace eagerx::gen::bound {
@@ -80,25 +79,25 @@ std::optional<std::uint64_t> while_above(const Difference& d, bool or_equal, boo
                   : rounded_up(way, -d.step.high);
 }
 
-std::optional<std::uint64_t> stays(const Difference& d, const std::string& condition,
-                                   bool zero_only) {
-  if (condition == "ne") return until_zero(d);
-  if (condition == "eq") {
+std::optional<std::uint64_t> stays(const Difference& d, Condition condition, bool zero_only) {
+  using enum Condition;
+  if (condition == ne) return until_zero(d);
+  if (condition == eq) {
     if (d.step.low > 0 || d.step.high < 0) return 1;
     return std::nullopt;
   }
   const bool small = d.start.low > -(kMostNumber / 2) && d.start.high < kMostNumber / 2;
-  if (condition == "mi" && small) return while_below(d, false, false);
-  if (condition == "pl" && small) return while_above(d, true, false);
+  if (condition == mi && small) return while_below(d, false, false);
+  if (condition == pl && small) return while_above(d, true, false);
   if (zero_only) return std::nullopt;
-  if (condition == "lt") return while_below(d, false, false);
-  if (condition == "le") return while_below(d, true, false);
-  if (condition == "gt") return while_above(d, false, false);
-  if (condition == "ge") return while_above(d, true, false);
-  if (condition == "cc" || condition == "lo") return while_below(d, false, true);
-  if (condition == "ls") return while_below(d, true, true);
-  if (condition == "hi") return while_above(d, false, true);
-  if (condition == "cs" || condition == "hs") return while_above(d, true, true);
+  if (condition == lt) return while_below(d, false, false);
+  if (condition == le) return while_below(d, true, false);
+  if (condition == gt) return while_above(d, false, false);
+  if (condition == ge) return while_above(d, true, false);
+  if (condition == cc) return while_below(d, false, true);
+  if (condition == ls) return while_below(d, true, true);
+  if (condition == hi) return while_above(d, false, true);
+  if (condition == cs) return while_above(d, true, true);
   return std::nullopt;
 }
 
@@ -107,8 +106,7 @@ std::optional<std::uint64_t> stays(const Difference& d, const std::string& condi
 std::optional<Turns> turns_of(const Test& test, const ProgressOf& progress_of, const State& state) {
   const auto d = difference(test, progress_of, state);
   if (!d) {
-    const bool is_unsigned =
-        test.stays_while == "cc" || test.stays_while == "lo" || test.stays_while == "ls";
+    const bool is_unsigned = test.stays_while == Condition::cc || test.stays_while == Condition::ls;
     const auto left = progress_of(test.comparison.left), right = progress_of(test.comparison.right);
     if (!is_unsigned || test.comparison.zero_only || !left || !right) return std::nullopt;
     const auto most = below_limit(*left, *right, state);
@@ -117,22 +115,6 @@ std::optional<Turns> turns_of(const Test& test, const ProgressOf& progress_of, c
   const auto count = stays(*d, test.stays_while, test.comparison.zero_only);
   if (!count) return std::nullopt;
   return Turns{*count + 1, d->start.is_exact() && d->step.is_exact()};
-}
-
-std::string opposite(const std::string& condition) {
-  static constexpr std::array<std::pair<const char*, const char*>, 8> kPairs = {{{"eq", "ne"},
-                                                                                 {"cs", "cc"},
-                                                                                 {"hs", "lo"},
-                                                                                 {"mi", "pl"},
-                                                                                 {"vs", "vc"},
-                                                                                 {"hi", "ls"},
-                                                                                 {"ge", "lt"},
-                                                                                 {"gt", "le"}}};
-  for (const auto& [a, b] : kPairs) {
-    if (condition == a) return b;
-    if (condition == b) return a;
-  }
-  return condition;
 }
 
 }  // namespace eagerx::gen::bound
