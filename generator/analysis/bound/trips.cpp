@@ -1,6 +1,7 @@
 #include "generator/analysis/bound/trips.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace eagerx::gen::bound {
@@ -101,10 +102,41 @@ std::optional<std::uint64_t> stays(const Difference& d, Condition condition, boo
   return std::nullopt;
 }
 
+/// Turns until two numbers are equal that wrap as those of the machine do: the least t for which
+/// start + step * t is a multiple of 2^32. Only few turns are a bound of use.
+std::optional<std::uint64_t> until_equal(std::uint32_t start, std::uint32_t step) {
+  constexpr std::uint32_t kMostTurns = 1U << 16U;
+  constexpr int kBits = 32;
+  if (step == 0) return std::nullopt;
+  const int even = std::countr_zero(step);
+  if (std::countr_zero(start) < even) return std::nullopt;
+  const std::uint32_t odd = step >> even;
+  std::uint32_t inverse = odd;  // by Newton's method, which doubles the number of right bits
+  for (int right = 3; right < kBits; right *= 2) inverse *= 2 - odd * inverse;
+  const std::uint32_t turns = (0 - (start >> even)) * inverse << even >> even;
+  return turns <= kMostTurns ? std::optional<std::uint64_t>(turns) : std::nullopt;
+}
+
+std::optional<std::uint64_t> until_equal(const Test& test, const ProgressOf& progress_of,
+                                         const State& state) {
+  auto left = progress_of(test.comparison.left), right = progress_of(test.comparison.right);
+  if (!left || !right || !state.relate(left->start, right->start)) return std::nullopt;
+  for (const Value& value : {left->start, right->start, left->step, right->step}) {
+    if (!value.is_exact()) return std::nullopt;
+  }
+  if (left->step.base != right->step.base) return std::nullopt;
+  return until_equal(static_cast<std::uint32_t>(left->start.low - right->start.low),
+                     static_cast<std::uint32_t>(left->step.low - right->step.low));
+}
+
 }  // namespace
 
 std::optional<Turns> turns_of(const Test& test, const ProgressOf& progress_of, const State& state) {
   const auto d = difference(test, progress_of, state);
+  if (test.stays_while == Condition::ne && (!d || !until_zero(*d))) {
+    const auto count = until_equal(test, progress_of, state);
+    return count ? std::optional(Turns{*count + 1, false}) : std::nullopt;
+  }
   if (!d) {
     const bool is_unsigned = test.stays_while == Condition::cc || test.stays_while == Condition::ls;
     const auto left = progress_of(test.comparison.left), right = progress_of(test.comparison.right);
