@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <iterator>
 #include <string_view>
-#include <unordered_set>
 
 namespace eagerx::gen::bound {
 namespace {
@@ -56,13 +55,15 @@ class Builder {
 
   [[nodiscard]] bool may_return() const {
     std::vector<Address> open = {flow_.entry};
-    std::unordered_set<Address> seen;
+    std::vector<bool> seen(image_.instructions().size());
     while (!open.empty()) {
       Address at = open.back();
       open.pop_back();
-      while (seen.insert(at).second) {
+      for (;;) {
         const Instruction* i = image_.instruction(at);
         if (i == nullptr) return true;
+        if (seen[i->index]) break;
+        seen[i->index] = true;
         const Exit exit = exit_of(*i);
         if (exit.returns || exit.lost) return true;
         open.insert(open.end(), exit.targets.begin(), exit.targets.end());
@@ -133,12 +134,13 @@ class Builder {
   /// All addresses at which blocks begin.
   void find_starts() {
     std::vector<Address> open = {flow_.entry};
-    std::unordered_set<Address> seen;
+    std::vector<bool> seen(image_.instructions().size());
     while (!open.empty()) {
       Address at = open.back();
       open.pop_back();
-      for (const Instruction* i = image_.instruction(at); i != nullptr && seen.insert(at).second;
+      for (const Instruction* i = image_.instruction(at); i != nullptr && !seen[i->index];
            i = image_.instruction(at)) {
+        seen[i->index] = true;
         const Exit exit = exit_of(*i);
         for (const Address target : exit.targets) {
           starts_.insert(target);
