@@ -34,7 +34,10 @@ std::uint64_t LongestPath::call(const Analysed& function, const Instruction& ins
   const auto share =
       weight_.callee ? weight_.callee(instruction, &function == first_) : Weight::Callee::whole;
   if (share == Weight::Callee::nothing) return 0;
-  if (share == Weight::Callee::by_weight) return length(*callee->second);
+  if (share == Weight::Callee::by_weight) {
+    const bool may_count = !weight_.may_count || weight_.may_count(*callee->second);
+    return may_count ? length(*callee->second) : 0;
+  }
   auto known = whole_.find(callee->second);
   if (known == whole_.end()) {
     LongestPath whole(Weight::all(*weight_.cost), whole_);

@@ -18,6 +18,8 @@ struct Weight {
   /// Whether an instruction is. `is_first`: it is one of that function itself. Empty: all are.
   std::function<bool(const Instruction&, bool is_first)> counts;
   std::function<Callee(const Instruction& call, bool is_first)> callee;  // empty: whole
+  /// Whether a callee that is `by_weight` has anything that counts. Empty: it may.
+  std::function<bool(const Analysed&)> may_count = {};
   /// Loops of that function that count once: what is asked for is within a turn.
   std::set<LoopIndex> once = {};
   std::set<Address> never = {};            // headers of loops that are not entered, by a condition
