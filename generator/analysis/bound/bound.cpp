@@ -254,10 +254,10 @@ class Report {
       numbers.emplace(node, static_cast<std::uint32_t>(nodes_.size()));
       nodes_.push_back(node);
     }
-    const auto nobody = static_cast<std::uint32_t>(nodes_.size());
+    const auto no_node = static_cast<std::uint32_t>(nodes_.size());
     for (const std::string* node : places_.nodes(map)) {
       const auto found = node == nullptr ? numbers.end() : numbers.find(*node);
-      owners_.push_back(found == numbers.end() ? nobody : found->second);
+      owners_.push_back(found == numbers.end() ? no_node : found->second);
     }
     regions_.set_owners(owners_);
     if (timed_) timed_->set_owners(owners_);

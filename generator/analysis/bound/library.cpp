@@ -74,9 +74,9 @@ Address size_of_instruction(const Image& image, Address at) {
   return image.constant(at, 2).value_or(0) >> 11U >= kLeastOfFour ? 4 : 2;
 }
 
-/// Of a function's code without what the linker writes into it: calls of others and the words
-/// between code, which may be addresses, count as zeros. nullopt: the image does not have all of
-/// it.
+/// Of a function's code without what the linker writes into it: calls of other functions and the
+/// words between code, which may be addresses, count as zeros. nullopt: the image does not have all
+/// of it.
 std::optional<std::uint64_t> hash_of(const Image& image, Address at, std::uint32_t size) {
   std::string bytes;
   while (bytes.size() < size) {
