@@ -40,6 +40,7 @@ struct Analysed {
   std::vector<std::optional<std::uint64_t>> most_turns;  // [loops] runs of the header
   std::map<Address, const Analysed*> calls;              // by the call's address
   std::vector<Obstacle> obstacles;                       // its own
+  bool returns = false;
 };
 
 class Analysis {

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <filesystem>
 #include <map>
 #include <set>
 
-#include "generator/analysis/bound/blame.hpp"
 #include "generator/analysis/bound/cycles.hpp"
+#include "generator/analysis/bound/missing.hpp"
 #include "generator/analysis/bound/regions.hpp"
 #include "generator/analysis/bound/slot_code.hpp"
 #include "generator/analysis/size/function_name.hpp"
@@ -22,7 +21,6 @@ namespace eagerx::gen {
 namespace {
 
 using bound::Obstacle;
-using bound::Reason;
 using bound::Region;
 
 /// "step": the first of these functions that an image has.
@@ -37,7 +35,8 @@ const std::vector<Part>& parts_of_programs() {
       {"reset", {"Program::reset"}},
       {"guard", {"Guard::check"}},
       {"policy", {"Graph::policy"}},
-      {"outcome", {"Program::outcome"}}};
+      {"outcome", {"Program::outcome"}},
+      {"telemetry", {"TelemetryWork::until"}}};
   return kParts;
 }
 
@@ -66,30 +65,6 @@ std::optional<std::uint64_t> due_in(const std::string& mangled) {
   return result.ec == std::errc() ? std::optional(bits) : std::nullopt;
 }
 
-struct Words {
-  const char *what, *help;
-};
-
-Words words_of(Reason reason) {
-  switch (reason) {
-    case Reason::loop:
-      return {"the loop",
-              "let its turns have a limit that the compiler knows: count to a constant, or take "
-              "`eagerx::bounded<N>(count)` of <eagerx/bounded.hpp>, which stops after N"};
-    case Reason::several_entries:
-      return {"the loop with several entries", "write it without `goto`, as one `for` or `while`"};
-    case Reason::recursion:
-      return {"the recursive call", "write it as a loop with a limit"};
-    case Reason::pointer_call:
-      return {"the call through a pointer",
-              "call the function itself, or a template parameter: a pointer or a virtual function "
-              "may lead anywhere"};
-    case Reason::lost:
-      break;
-  }
-  return {"the jump", "it leads to where this image has no code that can be followed"};
-}
-
 class Report {
  public:
   Report(const bound::Image& image, const std::vector<std::string>& rates, const Machine* machine)
@@ -112,9 +87,10 @@ class Report {
     }
     const auto map = map_of_program(program, path, diagnostics);
     if (!map) return std::nullopt;
+    find_nodes(*map);
     add_parts();
     add_slots();
-    add_nodes(*map);
+    report_.nodes = nodes_in({step_});
     add_interrupts(machine_);
     add_missing();
     add_functions();
@@ -262,7 +238,8 @@ class Report {
         all.insert(all.end(), regions.begin(), regions.end());
       }
       const auto due = code[i].due;
-      report_.slots.push_back({row(slot_name(due), sum), due, halves.front(), halves.back()});
+      report_.slots.push_back({row(slot_name(due), sum), due, halves.front(), halves.back(),
+                               nodes_in({code[i].regions, code[i + 1].regions})});
     }
     if (!step_.empty() && !all.empty())
       report_.parts.push_back(row("schedule", both([&](bound::Regions& in) {
@@ -270,42 +247,38 @@ class Report {
                                   })));
   }
 
-  void add_nodes(const ProgramMap& map) {
-    const std::vector<const std::string*> owners = places_.nodes(map);
+  /// Which instructions each node of the graph has.
+  void find_nodes(const ProgramMap& map) {
+    std::map<std::string_view, std::uint32_t> numbers;
     for (const auto& [node, type] : map.type_of_node) {
-      std::vector<bool> is_its(owners.size());
-      for (std::size_t i = 0; i < owners.size(); ++i)
-        is_its[i] = owners[i] != nullptr && *owners[i] == node;
-      const auto is_of_node = [&](const bound::Instruction& one) { return is_its[one.index]; };
-      const Both most = both([&](bound::Regions& in) { return in.most(step_, is_of_node); });
-      if (most.instructions.most > 0) report_.nodes.push_back(row(node, most));
+      numbers.emplace(node, static_cast<std::uint32_t>(nodes_.size()));
+      nodes_.push_back(node);
     }
+    const auto no_node = static_cast<std::uint32_t>(nodes_.size());
+    for (const std::string* node : places_.nodes(map)) {
+      const auto found = node == nullptr ? numbers.end() : numbers.find(*node);
+      owners_.push_back(found == numbers.end() ? no_node : found->second);
+    }
+    regions_.set_owners(owners_);
+    if (timed_) timed_->set_owners(owners_);
   }
 
-  NoBound no_bound(const Obstacle& obstacle) {
-    const Words words = words_of(obstacle.reason);
-    NoBound missing{words.what, "", function_name(image_.function_of(obstacle.at)), words.help, {}};
-    const auto blamed = bound::blamed_for(obstacle, roots_, analysis_, places_);
-    if (!blamed) return missing;
-    const std::string file =
-        std::filesystem::path(places_.files()[blamed->place.file]).lexically_normal().string();
-    missing.place = fmt::format("{}:{}", file, blamed->place.line);
-    missing.function = names_[blamed->place.function];
-    if (blamed->of_library) {
-      const bool is_std = places_.functions()[*blamed->of_library].starts_with("_ZSt");
-      missing.what =
-          fmt::format("the call of `{}{}`", is_std ? "std::" : "", names_[*blamed->of_library]);
-      missing.help =
-          "its loops are those of a library, without a limit that is known: write what you need of "
-          "it as loops with limits; to sort a few elements, two counted loops do";
+  /// The nodes of parts of the program that run one after the other.
+  std::vector<InstructionBound> nodes_in(const std::vector<std::vector<Region>>& parts) {
+    std::vector<InstructionBound> rows;
+    for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
+      Both sum;
+      for (const auto& regions : parts)
+        sum.add(both([&](bound::Regions& in) { return in.most_of(regions, node); }));
+      if (sum.instructions.most > 0) rows.push_back(row(nodes_[node], sum));
     }
-    return missing;
+    return rows;
   }
 
   /// Copies of one loop, which the compiler made, and all loops of one library function are one.
   void add_missing() {
     for (const auto& [obstacle, of] : obstacles_) {
-      const NoBound missing = no_bound(obstacle);
+      const NoBound missing = bound::no_bound(obstacle, roots_, analysis_, places_, names_);
       const auto same = std::ranges::find_if(report_.missing, [&](const NoBound& other) {
         return other.what == missing.what && other.place == missing.place &&
                other.function == missing.function;
@@ -364,6 +337,8 @@ class Report {
   std::optional<bound::Cycles> cycles_;
   std::optional<bound::Regions> timed_;  // by cycles
   std::vector<std::string> names_;       // of places_.functions(), as users write them
+  std::vector<std::string> nodes_;       // of the graph
+  std::vector<std::uint32_t> owners_;  // [instructions] the number of a node; of none, their count
   std::vector<Region> step_;
   std::set<bound::Address> roots_;  // functions with what is bounded
   std::map<Obstacle, std::set<std::string>> obstacles_;

@@ -35,8 +35,9 @@ struct SlotBound : InstructionBound {
   struct Half {
     std::uint64_t most = 0, cycles = 0;
   };
-  std::optional<std::uint64_t> due;  // its rates, as bits; nullopt: any
-  Half before = {}, after = {};      // the environment's action
+  std::optional<std::uint64_t> due;          // its rates, as bits; nullopt: any
+  Half before = {}, after = {};              // the environment's action
+  std::vector<InstructionBound> nodes = {};  // in this slot
 };
 
 /// An interrupt of the board.

@@ -16,18 +16,29 @@ double us_of(const TimeModel& time, std::uint64_t cycles) {
   return time.seconds(cycles) * kUsPerS;
 }
 
-std::string row_text(const InstructionBound& row, const std::optional<TimeModel>& time) {
-  std::string text = fmt::format("  {:<28} {:>10}", row.name, row.most);
+std::string row_text(const InstructionBound& row, const std::optional<TimeModel>& time,
+                     std::string_view indent = "  ") {
+  std::string text = fmt::format("{:<30} {:>10}", fmt::format("{}{}", indent, row.name), row.most);
   if (time) text += fmt::format(" {:>10} {:>11.1f}", row.cycles, us_of(*time, row.cycles));
   return text + (row.is_bound ? "\n" : " and more\n");
 }
 
-template <class Row>
-void add_rows(std::string& text, const char* title, const std::vector<Row>& rows,
+void add_rows(std::string& text, const char* title, const std::vector<InstructionBound>& rows,
               const std::optional<TimeModel>& time) {
   if (rows.empty()) return;
   text += fmt::format("{}\n", title);
-  for (const Row& row : rows) text += row_text(row, time);
+  for (const InstructionBound& row : rows) text += row_text(row, time);
+}
+
+/// With the nodes of each, if there are several kinds: else they are those of a step.
+void add_slots(std::string& text, const BoundReport& report) {
+  if (report.slots.empty()) return;
+  text += "slots, without the schedule\n";
+  for (const SlotBound& slot : report.slots) {
+    text += row_text(slot, report.time);
+    if (report.slots.size() == 1) return;
+    for (const InstructionBound& node : slot.nodes) text += row_text(node, report.time, "    ");
+  }
 }
 
 std::string wait_states_text(const TimeModel& time) {
@@ -48,10 +59,19 @@ std::string assumptions_text(const TimeModel& time) {
   return text;
 }
 
-template <class Row>
-Json rows_json(const std::vector<Row>& rows, const std::optional<TimeModel>& time) {
+Json rows_json(const std::vector<InstructionBound>& rows, const std::optional<TimeModel>& time) {
   Json json = Json::list();
   for (const InstructionBound& row : rows) json.push_back(bound_row_json(row, time));
+  return json;
+}
+
+Json slots_json(const BoundReport& report) {
+  Json json = Json::list();
+  for (const SlotBound& slot : report.slots) {
+    Json row = bound_row_json(slot, report.time);
+    row["nodes"] = rows_json(slot.nodes, report.time);
+    json.push_back(std::move(row));
+  }
   return json;
 }
 
@@ -112,7 +132,7 @@ std::string bound_text(const BoundReport& report) {
                                  : fmt::format("instructions at most, from the image alone: {}\n",
                                                report.why_no_time);
   add_rows(text, "parts of a step", report.parts, report.time);
-  add_rows(text, "slots, without the schedule", report.slots, report.time);
+  add_slots(text, report);
   add_rows(text, "nodes, in a step", report.nodes, report.time);
   if (report.time) text += assumptions_text(*report.time);
   return text;
@@ -121,7 +141,7 @@ std::string bound_text(const BoundReport& report) {
 Json bound_json(const BoundReport& report, bool with_functions) {
   Json json;
   json["parts"] = rows_json(report.parts, report.time);
-  json["slots"] = rows_json(report.slots, report.time);
+  json["slots"] = slots_json(report);
   json["nodes"] = rows_json(report.nodes, report.time);
   if (report.time) json["time"] = time_model_json(*report.time);
   Json functions = Json::list();

@@ -150,18 +150,28 @@ std::uint64_t Cycles::floating(const Instruction& i) const {
   return own + (is_arithmetic(name) && may_use(image_.instruction(i.next), i) ? 1 : 0);
 }
 
-std::uint64_t Cycles::of(const Instruction& i, const Instruction* before) const {
+Cycles::Cycles(const Image& image, Core core, unsigned wait_states)
+    : image_(image), core_(core), wait_states_(wait_states) {
+  without_fetch_.reserve(image.instructions().size());
+  for (const Instruction& instruction : image.instructions())
+    without_fetch_.push_back(without_fetch(instruction));
+}
+
+std::uint64_t Cycles::without_fetch(const Instruction& i) const {
   std::uint64_t cycles = i.name.starts_with("v") ? floating(i) : integer(i);
+  if (wait_states_ > 0 && !is_of_stack(i)) cycles += wait_states_ * words_read(i);
+  // The target of a branch that is not taken may have been fetched.
+  if (i.turn == Turn::branch) cycles += wait_states_;
+  return cycles;
+}
+
+std::uint64_t Cycles::of(const Instruction& i, const Instruction* before) const {
   // Words of code, without the one that the instruction before has brought.
   const Address last = (i.next - 1) / kWordOfCode;
   Address first = i.at / kWordOfCode;
   if (before != nullptr && before->next == i.at && (before->next - 1) / kWordOfCode == first)
     ++first;
-  cycles += std::uint64_t{wait_states_} * (last + 1 - first);
-  if (!is_of_stack(i)) cycles += wait_states_ * words_read(i);
-  // The target of a branch that is not taken may have been fetched.
-  if (i.turn == Turn::branch) cycles += wait_states_;
-  return cycles;
+  return without_fetch_[i.index] + std::uint64_t{wait_states_} * (last + 1 - first);
 }
 
 std::uint64_t Cycles::taken(const Instruction& jump) const {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "generator/analysis/bound/cost.hpp"
 
@@ -20,8 +21,7 @@ std::optional<Core> core_of(std::string_view cpu);
 /// word that is read but for those of the stack; a fetch that a jump makes useless costs them, too.
 class Cycles : public Cost {
  public:
-  Cycles(const Image& image, Core core, unsigned wait_states)
-      : image_(image), core_(core), wait_states_(wait_states) {}
+  Cycles(const Image& image, Core core, unsigned wait_states);
 
   [[nodiscard]] std::uint64_t of(const Instruction& instruction,
                                  const Instruction* before) const override;
@@ -34,10 +34,12 @@ class Cycles : public Cost {
   [[nodiscard]] std::uint64_t integer(const Instruction& instruction) const;
   [[nodiscard]] std::uint64_t floating(const Instruction& instruction) const;
   [[nodiscard]] std::uint64_t refill() const;
+  [[nodiscard]] std::uint64_t without_fetch(const Instruction& instruction) const;
 
   const Image& image_;
   Core core_;
   unsigned wait_states_;
+  std::vector<std::uint64_t> without_fetch_;  // [instructions]
 };
 
 }  // namespace eagerx::gen::bound

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <string_view>
-#include <unordered_set>
 
 namespace eagerx::gen::bound {
 namespace {
@@ -20,7 +20,7 @@ Address last_entry(const Image& image, const Instruction& jump) {
   bool is_checked = false;
   for (std::uint32_t i = 1; i <= kFar && i <= jump.index; ++i) {
     const Instruction& before = image.instructions()[jump.index - i];
-    is_checked |= before.name == "b" && before.condition == "hi";
+    is_checked |= before.name == "b" && before.condition == Condition::hi;
     if (before.operands.empty() || before.operands[0] != index) continue;
     if (before.name != "cmp" || !is_checked || before.operands.size() != 2) return kAny;
     return static_cast<Address>(std::strtoul(before.operands[1].c_str() + 1, nullptr, 10));
@@ -55,13 +55,15 @@ class Builder {
 
   [[nodiscard]] bool may_return() const {
     std::vector<Address> open = {flow_.entry};
-    std::unordered_set<Address> seen;
+    std::vector<bool> seen(image_.instructions().size());
     while (!open.empty()) {
       Address at = open.back();
       open.pop_back();
-      while (seen.insert(at).second) {
+      for (;;) {
         const Instruction* i = image_.instruction(at);
         if (i == nullptr) return true;
+        if (seen[i->index]) break;
+        seen[i->index] = true;
         const Exit exit = exit_of(*i);
         if (exit.returns || exit.lost) return true;
         open.insert(open.end(), exit.targets.begin(), exit.targets.end());
@@ -94,7 +96,7 @@ class Builder {
   }
 
   Exit exit_of(const Instruction& instruction) const {
-    const bool is_conditional = !instruction.condition.empty();
+    const bool is_conditional = instruction.is_conditional();
     Exit exit;
     switch (instruction.turn) {
       case Turn::none:
@@ -132,12 +134,13 @@ class Builder {
   /// All addresses at which blocks begin.
   void find_starts() {
     std::vector<Address> open = {flow_.entry};
-    std::unordered_set<Address> seen;
+    std::vector<bool> seen(image_.instructions().size());
     while (!open.empty()) {
       Address at = open.back();
       open.pop_back();
-      for (const Instruction* i = image_.instruction(at); i != nullptr && seen.insert(at).second;
+      for (const Instruction* i = image_.instruction(at); i != nullptr && !seen[i->index];
            i = image_.instruction(at)) {
+        seen[i->index] = true;
         const Exit exit = exit_of(*i);
         for (const Address target : exit.targets) {
           starts_.insert(target);
@@ -249,6 +252,17 @@ void grow(const Flow& flow, Loop& loop) {
   }
 }
 
+void list_code(const Flow& flow, Loop& loop) {
+  std::ranges::copy_if(flow.order, std::back_inserter(loop.order),
+                       [&](BlockIndex block) { return loop.has[block]; });
+  for (BlockIndex b = 0; b < flow.blocks.size(); ++b) {
+    if (!loop.has[b]) continue;
+    for (const Instruction* instruction : flow.blocks[b].code)
+      loop.addresses.push_back(instruction->at);
+  }
+  std::ranges::sort(loop.addresses);
+}
+
 void find_loops(Flow& flow) {
   std::vector<std::size_t> number(flow.blocks.size(), kNone);
   for (std::size_t i = 0; i < flow.order.size(); ++i) number[flow.order[i]] = i;
@@ -264,6 +278,7 @@ void find_loops(Flow& flow) {
     }
     if (loop.latches.empty()) continue;
     grow(flow, loop);
+    list_code(flow, loop);
     flow.loops.push_back(std::move(loop));
   }
   // Headers come in their order, so an outer loop comes before those in it.

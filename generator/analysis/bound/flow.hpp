@@ -29,6 +29,8 @@ struct Loop {
   BlockIndex header = 0;
   LoopIndex parent = kNone;
   std::vector<bool> has;            // [blocks]
+  std::vector<BlockIndex> order;    // its blocks, as in Flow::order
+  std::vector<Address> addresses;   // of its instructions, in order
   std::vector<BlockIndex> latches;  // from which it goes back to its header
 };
 
@@ -45,6 +47,10 @@ struct Flow {
   [[nodiscard]] bool dominates(BlockIndex above, BlockIndex below) const;
   [[nodiscard]] bool is_in(BlockIndex block, LoopIndex loop) const {
     return loop == kNone || loops[loop].has[block];
+  }
+  /// The blocks of a loop, or of the function.
+  [[nodiscard]] const std::vector<BlockIndex>& order_in(LoopIndex loop) const {
+    return loop == kNone ? order : loops[loop].order;
   }
   /// The loop directly in `outer` that has the block; kNone: it lies in `outer` itself.
   [[nodiscard]] LoopIndex child(LoopIndex outer, BlockIndex block) const;

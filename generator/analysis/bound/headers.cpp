@@ -7,7 +7,7 @@
 namespace eagerx::gen::bound {
 
 /// Forgets the limits of numbers that the loop makes anew, and by such.
-void Walk::forget_limits(LoopIndex l, State& state) {
+void Walk::forget_limits(LoopIndex l, State& state) const {
   state.limits.erase_if([&](const auto& limit) {
     return is_made_in(l, limit.first) || is_made_in(l, limit.second.base);
   });
@@ -32,13 +32,18 @@ State Walk::open_header(LoopIndex l, const State& in, const Locations& fixed) {
 
 /// Numbers, or pointers into the same object, which may grow by the same in each turn.
 Walk::Ties Walk::likely_ties(const State& in, const Locations& fixed) const {
-  Ties ties;
-  std::map<Base, Location> firsts;
+  std::vector<std::pair<Base, Location>> all;
   for (const Location& where : in.locations()) {
     const Value& value = *in.find(where);
-    if (fixed.contains(where) || !value.is_exact()) continue;
-    const auto [first, is_new] = firsts.emplace(value.base, where);
-    if (!is_new) ties.emplace(where, first->second);
+    if (!fixed.contains(where) && value.is_exact()) all.emplace_back(value.base, where);
+  }
+  std::ranges::sort(all);
+  Ties ties;
+  for (std::size_t i = 1, first = 0; i < all.size(); ++i) {
+    if (all[i].first == all[first].first)
+      ties[all[i].second] = all[first].second;
+    else
+      first = i;
   }
   return ties;
 }
@@ -54,7 +59,7 @@ Walk::Ties Walk::kept_ties(const Ties& ties, const State& in, const State& latch
     if (after == nullptr || !after->is_exact()) continue;
     const auto [first, is_new] =
         firsts.emplace(std::tuple(before.base, after->base, after->low - before.low), where);
-    if (!is_new) kept.emplace(where, first->second);
+    if (!is_new) kept[where] = first->second;
   }
   return kept;
 }
@@ -97,21 +102,14 @@ Walk::Changes Walk::changes(LoopIndex l, const State& in, const State& header, c
   return result;
 }
 
-bool Walk::is_made_in(LoopIndex l, Base base) {
-  const std::vector<Base> parts = analysis_.sums_.parts(base);
-  if (parts.size() > 1)
+bool Walk::is_made_in(LoopIndex l, Base base) const {
+  const std::span<const Base> parts = analysis_.sums_.parts(base);
+  if (!parts.empty())
     return std::ranges::any_of(parts, [&](Base part) { return is_made_in(l, part); });
   const auto place = place_of(base);
   if (!place) return false;
-  std::vector<Address>& addresses = addresses_[l];
-  if (addresses.empty()) {
-    for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
-      if (!flow_.loops[l].has[b]) continue;
-      for (const Instruction* instruction : flow_.blocks[b].code)
-        addresses.push_back(instruction->at);
-    }
-    std::ranges::sort(addresses);
-  }
+  const std::vector<Address>& addresses = flow_.loops[l].addresses;
+  if (addresses.empty() || *place < addresses.front() || *place > addresses.back()) return false;
   return std::ranges::binary_search(addresses, *place);
 }
 
@@ -145,17 +143,16 @@ State Walk::running_header(LoopIndex l, const State& in, const Changes& changes,
 }
 
 /// What is known of each location in one more turn: numbers.
-void Walk::widen(std::map<Location, Value>& ranges, const State& header, bool is_first) {
+void Walk::widen(FlatMap<Location, Value>& ranges, const State& header, bool is_first) {
   for (const Location& where : header.locations()) {
     const Value value = header.resolve(*header.find(where));
     if (is_first && value.base == 0) ranges[where] = value;
-    const auto found = ranges.find(where);
-    if (found == ranges.end()) continue;
-    Value& range = found->second;
+    if (!ranges.contains(where)) continue;
+    Value& range = ranges[where];
     range = {0, std::min(range.low, value.low), std::max(range.high, value.high)};
-    if (value.base != 0) ranges.erase(found);
+    if (value.base != 0) ranges.erase(where);
   }
-  std::erase_if(ranges, [&](const auto& one) { return header.find(one.first) == nullptr; });
+  ranges.erase_if([&](const auto& one) { return header.find(one.first) == nullptr; });
 }
 
 }  // namespace eagerx::gen::bound

@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "generator/analysis/bound/condition.hpp"
+
 namespace eagerx::gen::bound {
 
 using Address = std::uint32_t;
@@ -16,7 +18,7 @@ using Address = std::uint32_t;
 enum class Turn : std::uint8_t { none, branch, call, call_pointer, back, table, halt, unknown };
 
 /// The kinds of effects on values.
-enum class Kind : std::uint8_t { nothing, supervisor, compare, stack, many, other };
+enum class Kind : std::uint8_t { nothing, supervisor, compare, stack, many, load, store, other };
 
 /// What a known result is made by.
 enum class Operation : std::uint8_t {
@@ -37,7 +39,8 @@ enum class Operation : std::uint8_t {
   mul,
   ubfx,
   uxtb,
-  uxth
+  uxth,
+  cmp
 };
 
 /// An operand that is one register or one number.
@@ -52,6 +55,19 @@ struct Memory {
   std::size_t base = 0;
   std::int64_t offset = 0, after = 0;
   bool writes_back = false, has_index = false;
+  bool is_signed = false, extends_zero = false, is_exclusive = false;
+  bool is_double = false;  // a register of the floating-point unit with 64 bits
+  bool is_pair = false;    // of two registers
+  unsigned width = 4;      // bytes of each
+};
+
+/// The registers of "{r4, r5-r7, lr}", or the number of words of "{d8-d11}".
+struct RegisterList {
+  std::vector<std::uint8_t> registers;
+  bool is_of_doubles = false;
+  std::uint8_t first = 0, last = 0;  // words of the floating-point unit, of doubles
+  std::optional<std::uint8_t> base;  // the address, if it is no stack pointer by itself
+  bool writes_back = false, is_down = false, is_load = false;
 };
 
 /// One instruction as objdump prints it, without its condition and width, and what that means.
@@ -59,9 +75,9 @@ struct Instruction {
   Address at = 0, next = 0;           // of the next one
   std::uint32_t index = 0;            // among all instructions of the image
   std::string name;                   // "mov", "adds", "vldr"
-  std::string condition;              // "eq"; empty: always
   std::vector<std::string> operands;  // "r0", "[r1, #4]!", "#12", "{r4, pc}"
   Address target = 0;                 // of a branch or call, or of a load from the code
+  Condition condition = Condition::always;
 
   Turn turn = Turn::none;
   Kind kind = Kind::other;
@@ -69,6 +85,11 @@ struct Instruction {
   bool sets_flags = false;
   std::vector<Operand> values;  // of `operands`
   std::optional<Memory> memory;
+  RegisterList list;
+  std::vector<std::uint8_t> written;  // registers that it writes, if its result is not known
+  bool writes_flags = false;          // to something that is not known, in that case
+
+  [[nodiscard]] bool is_conditional() const { return condition != Condition::always; }
 };
 
 /// The bound that a loop's source states, in a section of notes (runtime/eagerx/bounded.hpp).

@@ -1,20 +1,12 @@
 #include "generator/analysis/bound/instruction_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 
 #include "generator/analysis/bound/operands.hpp"
 
 namespace eagerx::gen::bound {
 namespace {
-
-bool is_condition(std::string_view text) {
-  static constexpr std::array<std::string_view, 17> kConditions = {
-      "eq", "ne", "cs", "hs", "cc", "lo", "mi", "pl", "vs",
-      "vc", "hi", "ls", "ge", "lt", "gt", "le", "al"};
-  return std::ranges::find(kConditions, text) != kConditions.end();
-}
 
 std::optional<Address> hexadecimal(std::string_view text) {
   constexpr int kHexadecimal = 16;
@@ -49,7 +41,7 @@ std::vector<std::string> split(std::string_view text) {
 
 /// "beq", "bls", but not "bl" or "bic".
 bool is_conditional_branch(std::string_view name) {
-  return name.size() == 3 && name[0] == 'b' && is_condition(name.substr(1));
+  return name.size() == 3 && name[0] == 'b' && condition_named(name.substr(1)).has_value();
 }
 
 /// Where a branch leads, or what a load from the code reads: "2650 <name>", "@ (2650 <name>)".
@@ -65,6 +57,16 @@ Address target_of(const Instruction& instruction, std::string_view comment) {
 }
 
 }  // namespace
+
+std::optional<Condition> condition_named(std::string_view name) {
+  static constexpr std::string_view kNames = "eqnecsccmiplvsvchilsgeltgtleal";
+  if (name == "hs") return Condition::cs;
+  if (name == "lo") return Condition::cc;
+  for (std::size_t i = 0; i < kNames.size(); i += 2) {
+    if (name == kNames.substr(i, 2)) return static_cast<Condition>(i / 2);
+  }
+  return std::nullopt;
+}
 
 std::optional<Instruction> InstructionReader::line(std::string_view text) {
   data_.reset();
@@ -109,8 +111,10 @@ void InstructionReader::condition(Instruction& instruction) {
   const bool in_block = conditional_ > 0;
   if (in_block) --conditional_;
   if (!in_block && !is_conditional_branch(name)) return;
-  if (name.size() < 3 || !is_condition(std::string_view(name).substr(name.size() - 2))) return;
-  instruction.condition = name.substr(name.size() - 2);
+  if (name.size() < 3) return;
+  const auto found = condition_named(std::string_view(name).substr(name.size() - 2));
+  if (!found) return;
+  instruction.condition = *found;
   name.resize(name.size() - 2);
 }
 

@@ -58,7 +58,7 @@ std::optional<Memory> memory_of(const Instruction& instruction) {
     const auto parts = parts_of(std::string_view(text).substr(1, close - 1));
     const auto base = register_of(parts[0]);
     if (!base) return std::nullopt;
-    Memory memory{*base, 0, 0, text.ends_with("!"), false};
+    Memory memory{.base = *base, .writes_back = text.ends_with("!")};
     if (parts.size() > 1) {
       const auto number = number_of(parts[1]);
       memory.has_index = !number;
@@ -84,8 +84,8 @@ bool is_setter(std::string_view name) {
 Kind kind_of(std::string_view name) {
   if (name.starts_with("it") || name == "nop") return Kind::nothing;
   if (name == "bkpt" || name == "svc") return Kind::supervisor;
-  if (name == "tst" || name == "teq" || name == "cmn" || name == "cmp" || name.starts_with("vcmp"))
-    return Kind::compare;
+  if (name == "pld" || name == "pli" || name.starts_with("vcmp")) return Kind::nothing;
+  if (name == "tst" || name == "teq" || name == "cmn" || name == "cmp") return Kind::compare;
   if (name == "push" || name == "pop" || starts_with_any(name, {"vpush", "vpop"}))
     return Kind::stack;
   return starts_with_any(name, {"ldm", "stm", "vldm", "vstm"}) ? Kind::many : Kind::other;
@@ -93,11 +93,12 @@ Kind kind_of(std::string_view name) {
 
 Operation operation_of(std::string_view name) {
   using enum Operation;
-  static constexpr std::array<std::pair<std::string_view, Operation>, 20> kOperations = {
+  static constexpr std::array<std::pair<std::string_view, Operation>, 21> kOperations = {
       {{"mov", mov}, {"movw", mov}, {"vmov", vmov}, {"movt", movt},   {"mvn", mvn},
        {"add", add}, {"addw", add}, {"sub", sub},   {"subw", sub},    {"rsb", rsb},
        {"neg", neg}, {"lsl", lsl},  {"lsr", lsr},   {"and", bit_and}, {"bic", bic},
-       {"orr", orr}, {"mul", mul},  {"ubfx", ubfx}, {"uxtb", uxtb},   {"uxth", uxth}}};
+       {"orr", orr}, {"mul", mul},  {"ubfx", ubfx}, {"uxtb", uxtb},   {"uxth", uxth},
+       {"cmp", cmp}}};
   const auto* found =
       std::ranges::find(kOperations, name, &std::pair<std::string_view, Operation>::first);
   return found == kOperations.end() ? unknown : found->second;
@@ -123,6 +124,69 @@ Turn turn_of(const Instruction& instruction) {
   return Turn::unknown;
 }
 
+/// What is loaded or stored.
+void complete(Memory& memory, const Instruction& instruction) {
+  const std::string_view name = instruction.name;
+  if (starts_with_any(name, {"ldrb", "ldrsb", "strb", "ldrexb", "strexb"})) memory.width = 1;
+  if (starts_with_any(name, {"ldrh", "ldrsh", "strh", "ldrexh", "strexh"})) memory.width = 2;
+  memory.is_signed = name.starts_with("ldrs");
+  memory.extends_zero = name.starts_with("ldrb") || name == "ldrh";
+  memory.is_exclusive = name.starts_with("strex");
+  memory.is_pair = starts_with_any(name, {"ldrd", "strd"});
+  memory.is_double = instruction.operands[0].starts_with("d");
+}
+
+/// The words of a register of the floating-point unit with 64 bits.
+void add_double(std::string_view name, std::vector<std::uint8_t>& to) {
+  std::size_t number = kRegisters;
+  std::from_chars(name.data() + 1, name.data() + name.size(), number);
+  for (std::size_t word = kCore + 2 * number; word <= kCore + 2 * number + 1; ++word) {
+    if (word < kRegisters) to.push_back(static_cast<std::uint8_t>(word));
+  }
+}
+
+/// Registers that an instruction may write that no rule is known of.
+std::vector<std::uint8_t> written_by(const Instruction& instruction) {
+  const bool is_vector = instruction.name.starts_with("v");
+  const bool two = starts_with_any(instruction.name, {"umull", "smull", "umlal", "smlal", "umaal",
+                                                      "smlald", "smlsld", "ldrexd"});
+  const std::size_t most = is_vector ? 4 : two ? 2 : 1;
+  const auto is_core = [&](std::size_t i) { return instruction.values[i].reg < kCore; };
+  std::vector<std::uint8_t> written;
+  for (std::size_t i = 0; i < std::min(most, instruction.operands.size()); ++i) {
+    if (is_vector && instruction.operands[i].starts_with("d"))
+      add_double(instruction.operands[i], written);
+    const std::uint8_t r = instruction.values[i].reg;
+    if (r == Operand::kNoRegister) continue;
+    if (is_vector && i > 0 && is_core(i) != is_core(0)) break;
+    written.push_back(r);
+  }
+  return written;
+}
+
+/// Of an instruction that moves several registers.
+RegisterList list_of(const Instruction& instruction) {
+  RegisterList list;
+  const std::string_view text = instruction.operands.back();
+  list.is_of_doubles = text.starts_with("{d");
+  if (list.is_of_doubles) {
+    const auto [first, last] = range_of_doubles(text);
+    list.first = static_cast<std::uint8_t>(2 * first);
+    list.last = static_cast<std::uint8_t>(2 * last + 1);
+  } else {
+    for (const std::size_t r : listed_registers(text))
+      list.registers.push_back(static_cast<std::uint8_t>(r));
+  }
+  if (instruction.kind != Kind::many) return list;
+  const std::string_view first = instruction.operands.front();
+  list.writes_back = first.ends_with("!");
+  if (const auto r = register_of(first.substr(0, first.size() - (list.writes_back ? 1 : 0))))
+    list.base = static_cast<std::uint8_t>(*r);
+  list.is_down = instruction.name.ends_with("db");
+  list.is_load = starts_with_any(instruction.name, {"ldm", "vldm"});
+  return list;
+}
+
 }  // namespace
 
 void decode(Instruction& instruction) {
@@ -132,13 +196,20 @@ void decode(Instruction& instruction) {
   instruction.sets_flags = is_setter(name);
   instruction.operation =
       operation_of(instruction.sets_flags ? name.substr(0, name.size() - 1) : name);
-  instruction.memory = memory_of(instruction);
   for (const std::string& text : instruction.operands) {
     Operand operand;
     if (const auto found = register_of(text)) operand.reg = static_cast<std::uint8_t>(*found);
     operand.number = number_of(text);
     instruction.values.push_back(operand);
   }
+  if (instruction.kind == Kind::other) instruction.memory = memory_of(instruction);
+  if (instruction.memory) {
+    complete(*instruction.memory, instruction);
+    instruction.kind = starts_with_any(name, {"ldr", "vldr", "tb"}) ? Kind::load : Kind::store;
+  }
+  instruction.list = list_of(instruction);
+  instruction.written = written_by(instruction);
+  instruction.writes_flags = instruction.sets_flags || instruction.operands[0] == "APSR_nzcv";
 }
 
 bool starts_with_any(std::string_view name, std::initializer_list<std::string_view> beginnings) {

@@ -4,25 +4,10 @@
 
 namespace eagerx::gen::bound {
 
-namespace {
-
-/// A block that never returns is on no path to a return.
-bool can_return(const Analysed& function) {
-  for (BlockIndex b = 0; b < function.reached.size(); ++b) {
-    const Block& block = function.flow->blocks[b];
-    if (function.reached[b] && (block.returns || block.lost)) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
 Weight Weight::all(const Cost& cost) {
-  return {[](const Instruction&, bool) { return true; },
-          [](const Instruction&, bool) { return Callee::whole; },
-          {},
-          {},
-          &cost};
+  Weight weight;
+  weight.cost = &cost;
+  return weight;
 }
 
 std::uint64_t LongestPath::of(const Analysed& function) {
@@ -44,10 +29,15 @@ std::uint64_t LongestPath::length(const Analysed& function) {
 
 std::uint64_t LongestPath::call(const Analysed& function, const Instruction& instruction) {
   const auto callee = function.calls.find(instruction.at);
-  if (callee == function.calls.end() || !can_return(*callee->second)) return 0;
-  const auto counts = weight_.callee(instruction, &function == first_);
-  if (counts == Weight::Callee::nothing) return 0;
-  if (counts == Weight::Callee::by_weight) return length(*callee->second);
+  // What never returns is on no path to a return.
+  if (callee == function.calls.end() || !callee->second->returns) return 0;
+  const auto share =
+      weight_.callee ? weight_.callee(instruction, &function == first_) : Weight::Callee::whole;
+  if (share == Weight::Callee::nothing) return 0;
+  if (share == Weight::Callee::by_weight) {
+    const bool may_count = !weight_.may_count || weight_.may_count(*callee->second);
+    return may_count ? length(*callee->second) : 0;
+  }
   auto known = whole_.find(callee->second);
   if (known == whole_.end()) {
     LongestPath whole(Weight::all(*weight_.cost), whole_);
@@ -63,8 +53,7 @@ std::uint64_t LongestPath::block(const Analysed& function, BlockIndex b) {
   std::uint64_t sum = 0;
   const Instruction* before = nullptr;
   for (const Instruction* instruction : function.flow->blocks[b].code) {
-    if (weight_.counts(*instruction, &function == first_))
-      sum += weight_.cost->of(*instruction, before);
+    if (counts(function, *instruction)) sum += weight_.cost->of(*instruction, before);
     before = instruction;
     if (instruction->turn != Turn::call) continue;
     sum += call(function, *instruction);
@@ -81,7 +70,7 @@ std::uint64_t LongestPath::jump(const Analysed& function, BlockIndex b, BlockInd
   const Instruction& last = *from.code.back();
   const Address target = to.code.front()->at;
   const bool falls = target == last.next && last.target != target;
-  if (falls || !weight_.counts(last, &function == first_)) return 0;
+  if (falls || !counts(function, last)) return 0;
   return weight_.cost->taken(last);
 }
 
@@ -102,7 +91,7 @@ LongestPath::Part LongestPath::part(const Analysed& function, LoopIndex loop) {
   Part result;
   std::map<BlockIndex, std::uint64_t> open;
   open[loop == kNone ? 0 : flow.loops[loop].header] = 0;
-  for (const BlockIndex b : flow.order) {
+  for (const BlockIndex b : flow.order_in(loop)) {
     const auto found = open.find(b);
     if (found == open.end() || !function.reached[b]) continue;
     const std::uint64_t before = found->second;

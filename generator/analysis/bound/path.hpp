@@ -15,9 +15,11 @@ namespace eagerx::gen::bound {
 struct Weight {
   /// How much of a call's callee is.
   enum class Callee : std::uint8_t { nothing, by_weight, whole };
-  /// Whether an instruction is. `is_first`: it is one of that function itself.
+  /// Whether an instruction is. `is_first`: it is one of that function itself. Empty: all are.
   std::function<bool(const Instruction&, bool is_first)> counts;
-  std::function<Callee(const Instruction& call, bool is_first)> callee;
+  std::function<Callee(const Instruction& call, bool is_first)> callee;  // empty: whole
+  /// Whether a callee that is `by_weight` has anything that counts. Empty: it may.
+  std::function<bool(const Analysed&)> may_count = {};
   /// Loops of that function that count once: what is asked for is within a turn.
   std::set<LoopIndex> once = {};
   std::set<Address> never = {};            // headers of loops that are not entered, by a condition
@@ -62,6 +64,9 @@ class LongestPath {
              std::map<BlockIndex, std::uint64_t>& open);
   Part turned(const Analysed& function, LoopIndex loop);
   std::uint64_t call(const Analysed& function, const Instruction& instruction);
+  [[nodiscard]] bool counts(const Analysed& function, const Instruction& instruction) const {
+    return !weight_.counts || weight_.counts(instruction, &function == first_);
+  }
 
   Weight weight_;
   const Analysed* first_ = nullptr;

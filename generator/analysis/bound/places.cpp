@@ -64,6 +64,11 @@ Places::Places(const Image& image) : frames_(image.instructions().size()) {
   };
   for_each_line({image.prefix() + "addr2line", "-a", "-f", "-i", "-e", image.path()}, take,
                 fileno(list.get()));
+  occurrences_.resize(functions().size());
+  for (std::uint32_t i = 0; i < frames_.size(); ++i) {
+    for (std::uint32_t frame = 0; frame < frames_[i].size(); ++frame)
+      occurrences_[frames_[i][frame].function].push_back({i, frame});
+  }
 }
 
 std::vector<bool> Places::are_programs() const {

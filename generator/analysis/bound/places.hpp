@@ -42,6 +42,14 @@ class Places {
   [[nodiscard]] const std::vector<Frame>& of(const Instruction& instruction) const {
     return frames_[instruction.index];
   }
+  /// [functions()] where each is: instructions, with the frame that is of it, in order.
+  struct Occurrence {
+    std::uint32_t instruction = 0, frame = 0;
+    auto operator<=>(const Occurrence&) const = default;
+  };
+  [[nodiscard]] const std::vector<std::vector<Occurrence>>& occurrences() const {
+    return occurrences_;
+  }
   /// Mangled names.
   [[nodiscard]] const std::vector<std::string>& functions() const { return functions_.all(); }
   [[nodiscard]] const std::vector<std::string>& files() const { return files_.all(); }
@@ -56,6 +64,7 @@ class Places {
 
   Texts functions_, files_;
   std::vector<std::vector<Frame>> frames_;  // [instructions]
+  std::vector<std::vector<Occurrence>> occurrences_;
 };
 
 }  // namespace eagerx::gen::bound

@@ -30,6 +30,18 @@ bool is_led_by_others(const Flow& flow, LoopIndex l, const std::set<Address>& co
   return false;
 }
 
+/// Whether an instruction is of a region: of the function that the region lies in, its code only.
+class IsIn {
+ public:
+  explicit IsIn(const Region& region) : region_(region) {}
+  bool operator()(const Instruction& i, bool is_first) const {
+    return !is_first || region_.code.empty() || region_.code.contains(i.at);
+  }
+
+ private:
+  const Region& region_;
+};
+
 }  // namespace
 
 std::set<LoopIndex> loops_around(const Flow& flow, const std::set<Address>& code) {
@@ -54,25 +66,29 @@ std::set<LoopIndex> loops_around(const Flow& flow, const std::set<Address>& code
 }
 
 std::vector<Region> Regions::find(const IsNamed& is_named) const {
-  std::vector<bool> named;
-  for (std::uint32_t i = 0; i < places_.functions().size(); ++i) named.push_back(is_named(i));
+  std::vector<Places::Occurrence> all;
+  for (std::uint32_t i = 0; i < places_.functions().size(); ++i) {
+    if (!is_named(i)) continue;
+    const auto& own = places_.occurrences()[i];
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  std::ranges::sort(all);
   // By the function and, where it is inlined, the files and lines of all its callers.
   using Lines = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
   std::map<std::tuple<Address, bool, Lines>, Region> found;
-  for (const Instruction& instruction : analysis_.image().instructions()) {
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    // The outermost one of an instruction.
+    if (n + 1 < all.size() && all[n + 1].instruction == all[n].instruction) continue;
+    const Instruction& instruction = analysis_.image().instructions()[all[n].instruction];
     const auto& frames = places_.of(instruction);
-    for (std::size_t i = frames.size(); i-- > 0;) {
-      if (!named[frames[i].function]) continue;
-      const bool is_whole = i + 1 == frames.size();
-      const Address function = function_at(analysis_.image(), instruction.at);
-      Lines callers;
-      for (std::size_t k = i + 1; k < frames.size(); ++k)
-        callers.emplace_back(frames[k].file, frames[k].line);
-      Region& region = found[{function, is_whole, std::move(callers)}];
-      region.function = function;
-      if (!is_whole) region.code.insert(instruction.at);
-      break;
-    }
+    const bool is_whole = all[n].frame + 1 == frames.size();
+    const Address function = function_at(analysis_.image(), instruction.at);
+    Lines callers;
+    for (std::size_t k = all[n].frame + 1; k < frames.size(); ++k)
+      callers.emplace_back(frames[k].file, frames[k].line);
+    Region& region = found[{function, is_whole, std::move(callers)}];
+    region.function = function;
+    if (!is_whole) region.code.insert(region.code.end(), instruction.at);
   }
   std::vector<Region> regions;
   for (auto& [where, region] : found) regions.push_back(std::move(region));
@@ -95,20 +111,41 @@ Regions::Most Regions::longest(const Region& region, Weight weight) {
   return {most, path.obstacles()};
 }
 
-Regions::Most Regions::most(const std::vector<Region>& regions,
-                            const std::function<bool(const Instruction&)>& counts) {
+Regions::Most Regions::most(const std::vector<Region>& regions) {
+  return most_without_calls(regions, {});
+}
+
+/// Of a function and all that it calls.
+const std::set<std::uint32_t>& Regions::owners_in(const Analysed& function) {
+  const auto [known, is_new] = owners_in_.try_emplace(&function);
+  std::set<std::uint32_t>& owners = known->second;
+  if (!is_new) return owners;
+  for (const Block& block : function.flow->blocks) {
+    for (const Instruction* instruction : block.code) owners.insert((*owners_)[instruction->index]);
+  }
+  for (const auto& [at, callee] : function.calls) {
+    const std::set<std::uint32_t>& others = owners_in(*callee);
+    owners.insert(others.begin(), others.end());
+  }
+  return owners;
+}
+
+Regions::Most Regions::most_of(const std::vector<Region>& regions, std::uint32_t owner) {
   Most result;
   for (const Region& region : regions) {
-    const auto is_in = [&region](const Instruction& i, bool is_first) {
-      return !is_first || region.code.empty() || region.code.contains(i.at);
+    if (!owners_in(analysis_.of(region.function)).contains(owner)) continue;
+    const IsIn is_in(region);
+    const auto counts = [&](const Instruction& i, bool is_first) {
+      return (*owners_)[i.index] == owner && is_in(i, is_first);
     };
     Weight weight;
-    weight.counts = [&](const Instruction& i, bool is_first) {
-      return is_in(i, is_first) && (!counts || counts(i));
-    };
+    weight.counts = counts;
     weight.callee = [&](const Instruction& call, bool is_first) {
       if (!is_in(call, is_first)) return Weight::Callee::nothing;
-      return counts && counts(call) ? Weight::Callee::whole : Weight::Callee::by_weight;
+      return counts(call, is_first) ? Weight::Callee::whole : Weight::Callee::by_weight;
+    };
+    weight.may_count = [&](const Analysed& function) {
+      return owners_in(function).contains(owner);
     };
     const Most one = longest(region, std::move(weight));
     result.most = std::max(result.most, one.most);
@@ -120,17 +157,17 @@ Regions::Most Regions::most(const std::vector<Region>& regions,
 Regions::Most Regions::most_without_calls(const std::vector<Region>& regions,
                                           const std::set<Address>& functions,
                                           const std::set<Address>& loops) {
+  const bool has_condition = !functions.empty() || !loops.empty();
   Most result;
   for (const Region& region : regions) {
-    const auto is_in = [&region](const Instruction& i, bool is_first) {
-      return !is_first || region.code.empty() || region.code.contains(i.at);
-    };
+    const IsIn is_in(region);
     Weight weight;
     weight.never = loops;
     weight.counts = is_in;
     weight.callee = [&](const Instruction& call, bool is_first) {
       const bool is_left_out = !is_in(call, is_first) || functions.contains(call.target);
-      return is_left_out ? Weight::Callee::nothing : Weight::Callee::by_weight;
+      if (is_left_out) return Weight::Callee::nothing;
+      return has_condition ? Weight::Callee::by_weight : Weight::Callee::whole;
     };
     const Most one = longest(region, std::move(weight));
     result.most = std::max(result.most, one.most);

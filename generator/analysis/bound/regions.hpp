@@ -1,6 +1,7 @@
 // The parts of a program in its image: whole functions, or what the compiler inlined of them.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <set>
@@ -32,11 +33,13 @@ class Regions {
       : analysis_(analysis), places_(places), cost_(cost) {}
 
   [[nodiscard]] std::vector<Region> find(const IsNamed& is_named) const;
-  /// The most that one of the regions takes, of instructions for which `counts` says so; the other
-  /// ones count only what they call. Empty: all count.
+  /// The most that one of the regions takes.
   using Most = Length;
-  Most most(const std::vector<Region>& regions,
-            const std::function<bool(const Instruction&)>& counts = {});
+  Most most(const std::vector<Region>& regions);
+  /// [instructions] whose each is, as a number.
+  void set_owners(const std::vector<std::uint32_t>& owners) { owners_ = &owners; }
+  /// The most that one of the regions takes of the instructions of an owner, with what they call.
+  Most most_of(const std::vector<Region>& regions, std::uint32_t owner);
   /// The same, all counted, where these functions are not called and these loops not entered.
   Most most_without_calls(const std::vector<Region>& regions, const std::set<Address>& functions,
                           const std::set<Address>& loops = {});
@@ -46,12 +49,15 @@ class Regions {
 
  private:
   Most longest(const Region& region, Weight weight);
+  const std::set<std::uint32_t>& owners_in(const Analysed& function);
   const std::set<LoopIndex>& around(const Flow& flow, const Region& region);
 
   Analysis& analysis_;
   const Places& places_;
   const Cost& cost_;
   Wholes wholes_;
+  const std::vector<std::uint32_t>* owners_ = nullptr;
+  std::map<const Analysed*, std::set<std::uint32_t>> owners_in_;
   std::map<std::pair<Address, std::set<Address>>, std::set<LoopIndex>> around_;
 };
 

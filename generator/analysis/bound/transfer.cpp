@@ -1,10 +1,8 @@
 #include <algorithm>
-#include <charconv>
 #include <vector>
 
 #include "generator/analysis/bound/calculation.hpp"
 #include "generator/analysis/bound/operands.hpp"
-#include "generator/analysis/bound/trips.hpp"
 #include "generator/analysis/bound/value.hpp"
 
 namespace eagerx::gen::bound {
@@ -18,7 +16,6 @@ class Step : Calculation {
       : Calculation(instruction, state, sums),
         image_(image),
         instruction_(instruction),
-        name_(instruction.name),
         state_(state),
         sums_(sums) {}
 
@@ -37,11 +34,13 @@ class Step : Calculation {
         return move_stack();
       case Kind::many:
         return transfer_many();
+      case Kind::load:
+      case Kind::store:
+        return access(*instruction_.memory);
       case Kind::other:
-        break;
+        if (!calculate()) forget_written();
+        return;
     }
-    if (instruction_.memory) return access(*instruction_.memory);
-    if (!calculate()) forget_written();
   }
 
  private:
@@ -51,8 +50,9 @@ class Step : Calculation {
 
   void write(std::size_t r, const std::optional<Value>& value) {
     const Value old = state_.registers[r];
-    state_.registers[r] = value && instruction_.condition.empty() ? *value : made(r);
-    if (!instruction_.condition.empty() && value)
+    const bool is_conditional = instruction_.is_conditional();
+    state_.registers[r] = value && !is_conditional ? *value : made(r);
+    if (is_conditional && value)
       choose(r, *value, old);
     else if (state_.choice && state_.choice->at == r)
       state_.choice.reset();
@@ -86,7 +86,7 @@ class Step : Calculation {
   }
 
   /// What a value is where a condition of the last comparison holds.
-  Value resolved_where(std::string_view condition, const Value& value) {
+  Value resolved_where(Condition condition, const Value& value) {
     const auto fact =
         state_.comparison ? state_.learned(condition, *state_.comparison) : std::nullopt;
     if (!fact) return state_.resolve(value);
@@ -107,35 +107,15 @@ class Step : Calculation {
   }
 
   void forget_written() {
-    const bool two = starts_with_any(
-        name_, {"umull", "smull", "umlal", "smlal", "umaal", "smlald", "smlsld", "ldrexd"});
-    if (instruction_.sets_flags) forget_flags();
-    const bool is_vector = name_.starts_with("v");
-    for (std::size_t i = 0; i < instruction_.operands.size(); ++i) {
-      if (i >= (is_vector ? 4U : two ? 2U : 1U)) break;
-      const auto r = register_at(i);
-      if (is_vector && operand(i).starts_with("d")) forget_double(operand(i));
-      if (!r) continue;
-      if (is_vector && i > 0 && (*r < kCore) != (register_at(0).value_or(kCore) < kCore)) break;
-      write(*r, std::nullopt);
-    }
-    if (operand(0) == "APSR_nzcv") forget_flags();
-  }
-
-  void forget_double(std::string_view name) {
-    std::size_t number = kRegisters;
-    std::from_chars(name.data() + 1, name.data() + name.size(), number);
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (kCore + 2 * number + i < kRegisters) write(kCore + 2 * number + i, std::nullopt);
-    }
+    if (instruction_.writes_flags) forget_flags();
+    for (const std::size_t r : instruction_.written) write(r, std::nullopt);
   }
 
   void compare() {
-    if (name_.starts_with("v")) return;
     const auto left = read(0), right = read(1);
     forget_flags();
-    if (name_ == "cmp" && left && right && instruction_.operands.size() == 2 &&
-        instruction_.condition.empty())
+    if (instruction_.operation == Operation::cmp && left && right &&
+        instruction_.operands.size() == 2 && !instruction_.is_conditional())
       state_.comparison = Comparison{*left, *right, false};
   }
 
@@ -180,42 +160,38 @@ class Step : Calculation {
   }
 
   void move_stack() {
-    const auto& list = instruction_.operands.back();
-    std::int64_t bytes = 0;
-    const auto registers =
-        list.starts_with("{d") ? std::vector<std::size_t>() : listed_registers(list);
-    bytes = static_cast<std::int64_t>(registers.size()) * kWordBytes;
-    if (list.starts_with("{d")) bytes = doubles(list) * 2 * kWordBytes;
-    const bool pushes = name_ == "push" || name_ == "vpush";
+    const RegisterList& list = instruction_.list;
+    const std::int64_t bytes = bytes_of(list);
+    const bool pushes = instruction_.name.ends_with("push");
     Value& sp = state_.registers[kSp];
     if (pushes) {
       sp.low -= bytes;
       sp.high -= bytes;
       std::int64_t at = sp.low;
-      for (const std::size_t r : registers) {
+      for (const std::size_t r : list.registers) {
         store(Value{sp.base, at, at}, 4, state_.registers[r]);
         at += kWordBytes;
       }
-      if (registers.empty()) forget_words(sp.low, bytes);
+      if (list.registers.empty()) forget_words(sp.low, bytes);
       return;
     }
     std::int64_t at = sp.low;
-    for (const std::size_t r : registers) {
+    for (const std::size_t r : list.registers) {
       if (r != kCore - 1) write(r, load(Value{sp.base, at, at}, 4));
       at += kWordBytes;
     }
-    if (list.starts_with("{d")) forget_doubles(list);
+    if (list.is_of_doubles) forget_doubles(list);
     sp.low += bytes;
     sp.high += bytes;
   }
 
-  static std::int64_t doubles(std::string_view list) {
-    const auto [first, last] = range_of_doubles(list);
-    return static_cast<std::int64_t>(last - first + 1);
+  static std::int64_t bytes_of(const RegisterList& list) {
+    const std::size_t words =
+        list.is_of_doubles ? std::size_t{list.last} - list.first + 1 : list.registers.size();
+    return static_cast<std::int64_t>(words) * kWordBytes;
   }
-  void forget_doubles(std::string_view list) {
-    const auto [first, last] = range_of_doubles(list);
-    for (std::size_t s = 2 * first; s <= 2 * last + 1 && kCore + s < kRegisters; ++s)
+  void forget_doubles(const RegisterList& list) {
+    for (std::size_t s = list.first; s <= list.last && kCore + s < kRegisters; ++s)
       write(kCore + s, std::nullopt);
   }
 
@@ -224,42 +200,26 @@ class Step : Calculation {
   }
 
   void transfer_many() {
-    const auto& list = instruction_.operands.back();
-    const auto& first = instruction_.operands.front();
-    const bool writes_back = first.ends_with("!");
-    const auto base = register_of(std::string_view(first).substr(0, first.size() - writes_back));
-    if (!base) return;
-    const bool is_double = list.starts_with("{d");
-    const auto registers = is_double ? std::vector<std::size_t>() : listed_registers(list);
-    const std::int64_t bytes = is_double ? doubles(list) * 2 * kWordBytes
-                                         : static_cast<std::int64_t>(registers.size()) * kWordBytes;
-    const bool down = name_.ends_with("db");
-    const Value old = state_.registers[*base];
-    const Value begin = down ? Value{old.base, old.low - bytes, old.high - bytes} : old;
-    const bool loads = starts_with_any(name_, {"ldm", "vldm"});
-    for (std::size_t i = 0; i < registers.size(); ++i) {
+    const RegisterList& list = instruction_.list;
+    if (!list.base) return;
+    const std::int64_t bytes = bytes_of(list);
+    const Value old = state_.registers[*list.base];
+    const Value begin = list.is_down ? Value{old.base, old.low - bytes, old.high - bytes} : old;
+    for (std::size_t i = 0; i < list.registers.size(); ++i) {
       const auto shift = static_cast<std::int64_t>(i) * kWordBytes;
       const Value at{begin.base, begin.low + shift, begin.high + shift};
-      if (!loads)
-        store(at, 4, state_.registers[registers[i]]);
-      else if (registers[i] != kCore - 1)
-        write(registers[i], load(at, 4));
+      if (!list.is_load)
+        store(at, 4, state_.registers[list.registers[i]]);
+      else if (list.registers[i] != kCore - 1)
+        write(list.registers[i], load(at, 4));
     }
-    if (is_double && loads) forget_doubles(list);
-    if (is_double && !loads) store_unknown(begin, bytes);
-    if (!writes_back) return;
-    write(*base, down ? begin : Value{old.base, old.low + bytes, old.high + bytes});
-  }
-
-  /// Bytes that are loaded or stored.
-  [[nodiscard]] unsigned width() const {
-    if (starts_with_any(name_, {"ldrb", "ldrsb", "strb", "ldrexb", "strexb"})) return 1;
-    if (starts_with_any(name_, {"ldrh", "ldrsh", "strh", "ldrexh", "strexh"})) return 2;
-    return 4;
+    if (list.is_of_doubles && list.is_load) forget_doubles(list);
+    if (list.is_of_doubles && !list.is_load) store_unknown(begin, bytes);
+    if (!list.writes_back) return;
+    write(*list.base, list.is_down ? begin : Value{old.base, old.low + bytes, old.high + bytes});
   }
 
   void access(const Memory& memory) {
-    if (name_ == "pld" || name_ == "pli") return;
     const std::optional<Value> base =
         memory.base == kCore - 1 ? std::nullopt : std::optional(state_.registers[memory.base]);
     std::optional<Value> at;
@@ -267,25 +227,27 @@ class Step : Calculation {
       at = Value::of(instruction_.target);
     else if (base && !memory.has_index)
       at = sum(*base, Value::of(memory.offset), 1);
-    if (starts_with_any(name_, {"ldr", "vldr", "tb"}))
-      load_registers(at);
+    if (instruction_.kind == Kind::load)
+      load_registers(memory, at);
     else
-      store_registers(at, base);
+      store_registers(memory, at, base);
     if (!memory.writes_back || !base) return;
     write(memory.base, sum(*base, Value::of(memory.offset + memory.after), 1));
   }
 
-  void load_registers(const std::optional<Value>& at) {
-    if (operand(0).starts_with("d")) return forget_double(operand(0));
-    const bool two = name_.starts_with("ldrd");
-    for (std::size_t i = 0; i < (two ? 2U : 1U); ++i) {
+  void load_registers(const Memory& memory, const std::optional<Value>& at) {
+    if (memory.is_double) {
+      for (const std::size_t r : instruction_.written) write(r, std::nullopt);
+      return;
+    }
+    for (std::size_t i = 0; i < (memory.is_pair ? 2U : 1U); ++i) {
       const auto r = register_at(i);
       if (!r || *r == kCore - 1) continue;
       std::optional<Value> value;
       if (at)
-        value = load(*sum(*at, Value::of(static_cast<std::int64_t>(i) * kWordBytes), 1), width());
-      if (!value && name_.starts_with("ldrb")) value = of_bits(8);
-      if (!value && name_ == "ldrh") value = of_bits(16);
+        value =
+            load(*sum(*at, Value::of(static_cast<std::int64_t>(i) * kWordBytes), 1), memory.width);
+      if (!value && memory.extends_zero) value = of_bits(8 * memory.width);
       write(*r, value);
     }
   }
@@ -297,23 +259,24 @@ class Step : Calculation {
       if (size != 4 || found == state_.stack.end()) return std::nullopt;
       return found->second;
     }
-    if (at.base != 0 || name_.starts_with("ldrs")) return std::nullopt;
+    const bool is_signed = instruction_.memory && instruction_.memory->is_signed;
+    if (at.base != 0 || is_signed) return std::nullopt;
     const auto bytes = image_.constant(static_cast<Address>(at.low), size);
     return bytes ? std::optional(Value::of(as_signed(*bytes))) : std::nullopt;
   }
 
-  void store_registers(const std::optional<Value>& at, const std::optional<Value>& base) {
-    if (name_.starts_with("strex")) {
+  void store_registers(const Memory& memory, const std::optional<Value>& at,
+                       const std::optional<Value>& base) {
+    if (memory.is_exclusive) {
       if (const auto r = register_at(0)) write(*r, std::nullopt);
       return store_unknown(base.value_or(Value{~Base{0}, 0, 0}), 8);
     }
-    if (!at || operand(0).starts_with("d"))
+    if (!at || memory.is_double)
       return store_unknown(at.value_or(base.value_or(Value{~Base{0}, 0, 0})), at ? 8 : 0);
-    const bool two = name_.starts_with("strd");
-    for (std::size_t i = 0; i < (two ? 2U : 1U); ++i) {
+    for (std::size_t i = 0; i < (memory.is_pair ? 2U : 1U); ++i) {
       const auto r = register_at(i);
       const Value where = *sum(*at, Value::of(static_cast<std::int64_t>(i) * kWordBytes), 1);
-      store(where, width(), r ? state_.registers[*r] : Value{~Base{0}, 0, 0});
+      store(where, memory.width, r ? state_.registers[*r] : Value{~Base{0}, 0, 0});
     }
   }
 
@@ -323,9 +286,9 @@ class Step : Calculation {
     forget_around(at.low, size);
     if (size != 4) return;
     Value& slot = state_.stack[at.low];
-    slot = instruction_.condition.empty()
-               ? value
-               : Value{base_of(Origin::made, instruction_.at, {true, at.low}), 0, 0};
+    slot = instruction_.is_conditional()
+               ? Value{base_of(Origin::made, instruction_.at, {true, at.low}), 0, 0}
+               : value;
     escape(value);
   }
 
@@ -351,11 +314,12 @@ class Step : Calculation {
     if (!result(value)) return false;
     const auto before = instruction_.sets_flags ? comparison_of(value) : std::nullopt;
     write(*destination, value);
-    if (value && instruction_.condition.empty()) keep_apart(*destination, *value);
+    const bool is_conditional = instruction_.is_conditional();
+    if (value && !is_conditional) keep_apart(*destination, *value);
     if (!instruction_.sets_flags) return true;
     state_.choice.reset();
-    state_.comparison = instruction_.condition.empty() ? before : std::nullopt;
-    if (!state_.comparison && instruction_.condition.empty())
+    state_.comparison = is_conditional ? std::nullopt : before;
+    if (!state_.comparison && !is_conditional)
       state_.comparison = Comparison{state_.registers[*destination], Value::of(0), true};
     return true;
   }
@@ -371,8 +335,8 @@ class Step : Calculation {
 
   /// What a sum of several numbers is between, if all but one are between numbers.
   [[nodiscard]] std::optional<Value> limit_of_sum(Base base) const {
-    const std::vector<Base> parts = sums_.parts(base);
-    if (parts.size() < 2) return std::nullopt;
+    const std::span<const Base> parts = sums_.parts(base);
+    if (parts.empty()) return std::nullopt;
     std::optional<Value> total = Value{};
     for (const Base part : parts) {
       total = sum(*total, state_.resolve({part, 0, 0}), 1);
@@ -393,7 +357,6 @@ class Step : Calculation {
 
   const Image& image_;
   const Instruction& instruction_;
-  std::string_view name_;
   State& state_;
   const Sums& sums_;
 };

@@ -1,7 +1,7 @@
 #include "generator/analysis/bound/trips.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <utility>
 
 namespace eagerx::gen::bound {
@@ -80,35 +80,65 @@ std::optional<std::uint64_t> while_above(const Difference& d, bool or_equal, boo
                   : rounded_up(way, -d.step.high);
 }
 
-std::optional<std::uint64_t> stays(const Difference& d, const std::string& condition,
-                                   bool zero_only) {
-  if (condition == "ne") return until_zero(d);
-  if (condition == "eq") {
+std::optional<std::uint64_t> stays(const Difference& d, Condition condition, bool zero_only) {
+  using enum Condition;
+  if (condition == ne) return until_zero(d);
+  if (condition == eq) {
     if (d.step.low > 0 || d.step.high < 0) return 1;
     return std::nullopt;
   }
   const bool small = d.start.low > -(kMostNumber / 2) && d.start.high < kMostNumber / 2;
-  if (condition == "mi" && small) return while_below(d, false, false);
-  if (condition == "pl" && small) return while_above(d, true, false);
+  if (condition == mi && small) return while_below(d, false, false);
+  if (condition == pl && small) return while_above(d, true, false);
   if (zero_only) return std::nullopt;
-  if (condition == "lt") return while_below(d, false, false);
-  if (condition == "le") return while_below(d, true, false);
-  if (condition == "gt") return while_above(d, false, false);
-  if (condition == "ge") return while_above(d, true, false);
-  if (condition == "cc" || condition == "lo") return while_below(d, false, true);
-  if (condition == "ls") return while_below(d, true, true);
-  if (condition == "hi") return while_above(d, false, true);
-  if (condition == "cs" || condition == "hs") return while_above(d, true, true);
+  if (condition == lt) return while_below(d, false, false);
+  if (condition == le) return while_below(d, true, false);
+  if (condition == gt) return while_above(d, false, false);
+  if (condition == ge) return while_above(d, true, false);
+  if (condition == cc) return while_below(d, false, true);
+  if (condition == ls) return while_below(d, true, true);
+  if (condition == hi) return while_above(d, false, true);
+  if (condition == cs) return while_above(d, true, true);
   return std::nullopt;
+}
+
+/// Turns until two numbers are equal that wrap as those of the machine do: the least t for which
+/// start + step * t is a multiple of 2^32. Only few turns are a bound of use.
+std::optional<std::uint64_t> until_equal(std::uint32_t start, std::uint32_t step) {
+  constexpr std::uint32_t kMostTurns = 1U << 16U;
+  constexpr int kBits = 32;
+  if (step == 0) return std::nullopt;
+  const int even = std::countr_zero(step);
+  if (std::countr_zero(start) < even) return std::nullopt;
+  const std::uint32_t odd = step >> even;
+  std::uint32_t inverse = odd;  // by Newton's method, which doubles the number of right bits
+  for (int right = 3; right < kBits; right *= 2) inverse *= 2 - odd * inverse;
+  const std::uint32_t turns = (0 - (start >> even)) * inverse << even >> even;
+  return turns <= kMostTurns ? std::optional<std::uint64_t>(turns) : std::nullopt;
+}
+
+std::optional<std::uint64_t> until_equal(const Test& test, const ProgressOf& progress_of,
+                                         const State& state) {
+  auto left = progress_of(test.comparison.left), right = progress_of(test.comparison.right);
+  if (!left || !right || !state.relate(left->start, right->start)) return std::nullopt;
+  for (const Value& value : {left->start, right->start, left->step, right->step}) {
+    if (!value.is_exact()) return std::nullopt;
+  }
+  if (left->step.base != right->step.base) return std::nullopt;
+  return until_equal(static_cast<std::uint32_t>(left->start.low - right->start.low),
+                     static_cast<std::uint32_t>(left->step.low - right->step.low));
 }
 
 }  // namespace
 
 std::optional<Turns> turns_of(const Test& test, const ProgressOf& progress_of, const State& state) {
   const auto d = difference(test, progress_of, state);
+  if (test.stays_while == Condition::ne && (!d || !until_zero(*d))) {
+    const auto count = until_equal(test, progress_of, state);
+    return count ? std::optional(Turns{*count + 1, false}) : std::nullopt;
+  }
   if (!d) {
-    const bool is_unsigned =
-        test.stays_while == "cc" || test.stays_while == "lo" || test.stays_while == "ls";
+    const bool is_unsigned = test.stays_while == Condition::cc || test.stays_while == Condition::ls;
     const auto left = progress_of(test.comparison.left), right = progress_of(test.comparison.right);
     if (!is_unsigned || test.comparison.zero_only || !left || !right) return std::nullopt;
     const auto most = below_limit(*left, *right, state);
@@ -117,22 +147,6 @@ std::optional<Turns> turns_of(const Test& test, const ProgressOf& progress_of, c
   const auto count = stays(*d, test.stays_while, test.comparison.zero_only);
   if (!count) return std::nullopt;
   return Turns{*count + 1, d->start.is_exact() && d->step.is_exact()};
-}
-
-std::string opposite(const std::string& condition) {
-  static constexpr std::array<std::pair<const char*, const char*>, 8> kPairs = {{{"eq", "ne"},
-                                                                                 {"cs", "cc"},
-                                                                                 {"hs", "lo"},
-                                                                                 {"mi", "pl"},
-                                                                                 {"vs", "vc"},
-                                                                                 {"hi", "ls"},
-                                                                                 {"ge", "lt"},
-                                                                                 {"gt", "le"}}};
-  for (const auto& [a, b] : kPairs) {
-    if (condition == a) return b;
-    if (condition == b) return a;
-  }
-  return condition;
 }
 
 }  // namespace eagerx::gen::bound

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
-#include <string>
 
 #include "generator/analysis/bound/value.hpp"
 
@@ -18,7 +16,7 @@ struct Progress {
 /// A test of a loop that every turn makes: it stays while the condition holds.
 struct Test {
   Comparison comparison;
-  std::string stays_while;
+  Condition stays_while = Condition::always;
 };
 
 struct Turns {
@@ -31,8 +29,5 @@ struct Turns {
 using ProgressOf = std::function<std::optional<Progress>(const Value&)>;
 /// `state`: where the loop is entered.
 std::optional<Turns> turns_of(const Test& test, const ProgressOf& progress_of, const State& state);
-
-/// The condition that holds where `condition` does not.
-std::string opposite(const std::string& condition);
 
 }  // namespace eagerx::gen::bound

@@ -7,8 +7,6 @@ namespace {
 
 constexpr std::int64_t kLeastUnsigned = 0;
 
-// The bits of a base: what made it, of how many bits it is, half its address, its location.
-constexpr unsigned kIsPlace = 63, kOrigin = 60, kBits = 55, kAddress = 24;
 constexpr unsigned kMostBits = 31;
 
 /// Whether left - right is negative, zero, positive: what of it is possible.
@@ -72,13 +70,6 @@ std::optional<Value> sum(const Value& a, const Value& b, int sign) {
   return std::nullopt;
 }
 
-Base base_of(Origin origin, Address at, const Location& location) {
-  constexpr std::uint64_t kOffset = 0x7fffff, kOfStack = 0x800000;
-  const auto where = static_cast<std::uint64_t>(location.at) & kOffset;
-  return (std::uint64_t{1} << kIsPlace) | (static_cast<std::uint64_t>(origin) << kOrigin) |
-         (std::uint64_t{at >> 1U} << kAddress) | where | (location.on_stack ? kOfStack : 0);
-}
-
 Base base_of_bits(Address at, const Location& location, unsigned bits) {
   return base_of(Origin::made, at, location) | (std::uint64_t{bits & kMostBits} << kBits);
 }
@@ -99,23 +90,27 @@ bool is_wide(const Value& value) {
 }
 
 std::optional<Base> Sums::of(Base a, Base b) {
-  constexpr std::size_t kMost = 4;
-  std::vector<Base> all = parts(a), others = parts(b);
-  all.insert(all.end(), others.begin(), others.end());
-  if (all.size() > kMost) return std::nullopt;
-  std::ranges::sort(all);
+  Parts all{};
+  auto end = all.begin();
+  for (const Base& one : {a, b}) {
+    const std::span<const Base> of_sum = parts(one);
+    const std::span<const Base> numbers = of_sum.empty() ? std::span(&one, 1) : of_sum;
+    if (all.end() - end < std::ssize(numbers)) return std::nullopt;
+    end = std::ranges::copy(numbers, end).out;
+  }
+  std::sort(all.begin(), end);
   const Base next = (std::uint64_t{1} << kIsPlace) |
                     (static_cast<std::uint64_t>(Origin::sum) << kOrigin) | sums_.size();
-  const auto [found, is_new] = known_.emplace(std::move(all), next);
+  const auto [found, is_new] = known_.emplace(all, next);
   if (is_new) sums_.push_back(found->first);
   return found->second;
 }
 
-std::vector<Base> Sums::parts(Base base) const {
-  if (base >> kIsPlace == 0 || origin_of(base) != Origin::sum) return {base};
+std::span<const Base> Sums::parts(Base base) const {
+  if (base >> kIsPlace == 0 || origin_of(base) != Origin::sum) return {};
   constexpr std::uint64_t kIndex = 0xffffffff;
-  const std::size_t index = base & kIndex;
-  return index < sums_.size() ? sums_[index] : std::vector{base};
+  const Parts& all = sums_[base & kIndex];
+  return {all.begin(), std::ranges::find(all, Base{0})};
 }
 
 Value resolved(const Value& value) {
@@ -128,9 +123,9 @@ Value resolved(const Value& value) {
 namespace {
 
 /// One step further: what the base of a value is between.
-Value resolved_once(const State& state, const Value& value) {
-  const auto found = state.limits.find(value.base);
-  if (found == state.limits.end()) return resolved(value);
+Value resolved_once(const Limits& limits, const Value& value) {
+  const auto found = limits.find(value.base);
+  if (found == limits.end()) return resolved(value);
   const Value& limit = found->second;
   return {limit.base, value.low + limit.low, value.high + limit.high};
 }
@@ -141,14 +136,17 @@ constexpr std::size_t kMostSteps = 8;
 
 Value State::resolve(const Value& value) const {
   Value result = value;
-  for (std::size_t i = 0; i < kMostSteps && result.base != 0; ++i)
-    result = resolved_once(*this, result);
+  for (std::size_t i = 0; i < kMostSteps && result.base != 0; ++i) {
+    const Value next = resolved_once(limits, result);
+    if (next.base == result.base) break;
+    result = next;
+  }
   return result.base == 0 ? result : value;
 }
 
 bool State::relate(Value& a, Value& b) const {
   for (std::size_t i = 0; i < kMostSteps && a.base != b.base; ++i) {
-    const Value next_a = resolved_once(*this, a), next_b = resolved_once(*this, b);
+    const Value next_a = resolved_once(limits, a), next_b = resolved_once(limits, b);
     if (next_a == a && next_b == b) return false;
     if (next_a.base == b.base) {
       a = next_a;
@@ -166,7 +164,7 @@ bool is_same(const State& a, const State& b) {
   return a.registers == b.registers && a.stack == b.stack;
 }
 
-void State::learn(std::string_view condition, const Comparison& compared) {
+void State::learn(Condition condition, const Comparison& compared) {
   const auto fact = learned(condition, compared);
   if (!fact) return;
   limits[fact->first] = fact->second;
@@ -193,27 +191,28 @@ std::optional<std::pair<Base, Value>> State::not_at_end(const Value& left,
   return std::pair(left.base, known);
 }
 
-std::optional<std::pair<Base, Value>> State::learned(std::string_view condition,
+std::optional<std::pair<Base, Value>> State::learned(Condition condition,
                                                      const Comparison& compared) const {
+  using enum Condition;
   const Value right = resolve(compared.right);
   const Value& left = compared.left;
   if (right.base != 0 || left.base == 0 || left.base == kStack || !left.is_exact())
     return std::nullopt;
   Value limit{0, INT32_MIN, INT32_MAX};
-  if (condition == "eq") {
+  if (condition == eq) {
     limit = right;
-  } else if (condition == "ne") {
+  } else if (condition == ne) {
     return not_at_end(left, right);
   } else if (compared.zero_only) {
     return std::nullopt;
-  } else if (condition == "cc" || condition == "lo" || condition == "ls") {
-    const std::int64_t most = right.high - (condition == "ls" ? 0 : 1);
+  } else if (condition == cc || condition == ls) {
+    const std::int64_t most = right.high - (condition == ls ? 0 : 1);
     if (right.low < 0 || most < 0) return std::nullopt;
     limit = {0, 0, most};
-  } else if (condition == "lt" || condition == "le") {
-    limit.high = right.high - (condition == "lt" ? 1 : 0);
-  } else if (condition == "gt" || condition == "ge") {
-    limit.low = right.low + (condition == "gt" ? 1 : 0);
+  } else if (condition == lt || condition == le) {
+    limit.high = right.high - (condition == lt ? 1 : 0);
+  } else if (condition == gt || condition == ge) {
+    limit.low = right.low + (condition == gt ? 1 : 0);
   } else {
     return std::nullopt;
   }
@@ -240,9 +239,9 @@ Value joined(const Value& a, const Value& b, Address at, const Location& locatio
 /// A value, and what it is by what is known of its base, of the base of that, and so on.
 class Chain {
  public:
-  Chain(const State& state, const Value& value) : values_{value} {
+  Chain(const Limits& limits, const Value& value) : values_{value} {
     while (size_ < kMostSteps) {
-      const Value next = resolved_once(state, values_[size_ - 1]);
+      const Value next = resolved_once(limits, values_[size_ - 1]);
       if (next == values_[size_ - 1]) break;
       values_[size_++] = next;
     }
@@ -255,67 +254,79 @@ class Chain {
   std::uint8_t size_ = 1;
 };
 
-/// The range of two values that have one base somewhere, each in its state.
-std::optional<Value> range_of(const State& a, const Value& left, const State& b,
-                              const Value& right) {
-  const Chain chain_a(a, left), chain_b(b, right);
-  for (const Value& from : chain_a) {
-    for (const Value& to : chain_b) {
-      if (from.base == to.base)
-        return Value{from.base, std::min(from.low, to.low), std::max(from.high, to.high)};
-    }
-  }
-  return std::nullopt;
-}
+/// Brings together what locations are on two ways to a place.
+class Join {
+ public:
+  /// `a`, `b`: what is known on each way; `limits`: what is known on both.
+  Join(Address at, const Limits& a, const Limits& b, Limits& limits)
+      : at_(at), a_(a), b_(b), limits_(limits) {}
 
-/// Puts what a location is on either way into `result`; of two values with one base, what they are
-/// between.
-void join_at(const Location& where, const State& a, const State& b, Address at, State& result) {
-  const Value &left = *a.find(where), &right = *b.find(where);
-  const Value both = joined(left, right, at, where);
-  result.set(where, both);
-  if (left == right || (left.base == both.base && right.base == both.base)) return;
-  result.limits.erase(both.base);
-  const auto range = range_of(a, left, b, right);
-  if (range && range->base != both.base) result.limits[both.base] = *range;
-}
+  /// Makes `left` what it is on either way; of two values with one base, what they are between.
+  void operator()(const Location& where, Value& left, const Value& right) {
+    if (left == right) return;
+    const Value both = joined(left, right, at_, where);
+    if (left.base != both.base || right.base != both.base) {
+      limits_.erase(both.base);
+      const auto range = range_of(left, right);
+      if (range && range->base != both.base) limits_[both.base] = *range;
+    }
+    left = both;
+  }
+
+ private:
+  /// The range of two values that have one base somewhere.
+  [[nodiscard]] std::optional<Value> range_of(const Value& left, const Value& right) const {
+    const Chain chain_a(a_, left), chain_b(b_, right);
+    for (const Value& from : chain_a) {
+      for (const Value& to : chain_b) {
+        if (from.base == to.base)
+          return Value{from.base, std::min(from.low, to.low), std::max(from.high, to.high)};
+      }
+    }
+    return std::nullopt;
+  }
+
+  Address at_;
+  const Limits &a_, &b_;
+  Limits& limits_;
+};
 
 }  // namespace
 
-State join(const State& a, const State& b, Address at) {
-  State result;
-  for (const auto& [base, limit] : a.limits) {
-    const auto other = b.limits.find(base);
-    if (other != b.limits.end() && other->second.base == limit.base)
-      result.limits[base] = {limit.base, std::min(limit.low, other->second.low),
-                             std::max(limit.high, other->second.high)};
-  }
+void join(State& state, const State& other, Address at) {
+  const Limits before = state.limits;
+  state.limits.intersect(other.limits, [](Limits::Entry& mine, const Value& its) {
+    Value& limit = mine.second;
+    if (limit.base != its.base) return false;
+    limit = {limit.base, std::min(limit.low, its.low), std::max(limit.high, its.high)};
+    return true;
+  });
+  Join both(at, before, other.limits, state.limits);
   for (std::size_t i = 0; i < kRegisters; ++i)
-    join_at({false, static_cast<std::int64_t>(i)}, a, b, at, result);
-  for (const auto& [offset, value] : a.stack) {
-    if (b.stack.contains(offset)) join_at({true, offset}, a, b, at, result);
-  }
-  if (a.comparison == b.comparison) result.comparison = a.comparison;
-  result.escaped = std::min(a.escaped, b.escaped);
-  result.arguments_escaped = a.arguments_escaped || b.arguments_escaped;
-  return result;
+    both({false, static_cast<std::int64_t>(i)}, state.registers[i], other.registers[i]);
+  state.stack.intersect(other.stack, [&](auto& mine, const Value& its) {
+    both({true, mine.first}, mine.second, its);
+    return true;
+  });
+  if (state.comparison != other.comparison) state.comparison.reset();
+  state.choice.reset();
+  state.escaped = std::min(state.escaped, other.escaped);
+  state.arguments_escaped = state.arguments_escaped || other.arguments_escaped;
 }
 
-std::optional<bool> holds(std::string_view condition, const Comparison& comparison) {
+std::optional<bool> holds(Condition condition, const Comparison& comparison) {
+  using enum Condition;
   const Signs s = signs_of(comparison);
-  if (condition == "eq") return one_of(s.zero, s.negative || s.positive);
-  if (condition == "ne") return one_of(s.negative || s.positive, s.zero);
+  if (condition == eq) return one_of(s.zero, s.negative || s.positive);
+  if (condition == ne) return one_of(s.negative || s.positive, s.zero);
   // Of values that are not numbers, only the difference is known: their order may wrap.
   if (comparison.zero_only || resolved(comparison.left).base != 0) return std::nullopt;
-  const bool is_signed =
-      condition == "lt" || condition == "le" || condition == "gt" || condition == "ge";
+  const bool is_signed = condition == lt || condition == le || condition == gt || condition == ge;
   if (!is_signed && !is_unsigned_order(comparison)) return std::nullopt;
-  if (condition == "lt" || condition == "cc" || condition == "lo")
-    return one_of(s.negative, s.zero || s.positive);
-  if (condition == "ge" || condition == "cs" || condition == "hs")
-    return one_of(s.zero || s.positive, s.negative);
-  if (condition == "gt" || condition == "hi") return one_of(s.positive, s.zero || s.negative);
-  if (condition == "le" || condition == "ls") return one_of(s.zero || s.negative, s.positive);
+  if (condition == lt || condition == cc) return one_of(s.negative, s.zero || s.positive);
+  if (condition == ge || condition == cs) return one_of(s.zero || s.positive, s.negative);
+  if (condition == gt || condition == hi) return one_of(s.positive, s.zero || s.negative);
+  if (condition == le || condition == ls) return one_of(s.zero || s.negative, s.positive);
   return std::nullopt;
 }
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <string>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -53,9 +53,12 @@ struct Comparison {
 /// A register that has this value if a condition of the flags, as they are, holds.
 struct Choice {
   std::size_t at = 0;
-  std::string condition;
+  Condition condition = Condition::always;
   Value value;
 };
+
+/// What numbers that are not known are between.
+using Limits = FlatMap<Base, Value>;
 
 struct State {
   std::array<Value, kRegisters> registers{};
@@ -64,7 +67,7 @@ struct State {
   std::optional<Choice> choice;      // the last one
   std::int64_t escaped = INT64_MAX;  // from here on other pointers may lead to the stack
   bool arguments_escaped = false;    // and to the words that the caller has put there
-  FlatMap<Base, Value> limits;       // what numbers that are not known are between
+  Limits limits;
 
   [[nodiscard]] const Value* find(const Location& location) const;
   /// Registers, and the words of the stack that are known.
@@ -75,10 +78,10 @@ struct State {
   /// The same until both have one base; false if they have none.
   bool relate(Value& a, Value& b) const;
   /// The base that a condition says something of, and what it is between then.
-  [[nodiscard]] std::optional<std::pair<Base, Value>> learned(std::string_view condition,
+  [[nodiscard]] std::optional<std::pair<Base, Value>> learned(Condition condition,
                                                               const Comparison& compared) const;
   /// Adds the consequences of a condition that holds.
-  void learn(std::string_view condition, const Comparison& compared);
+  void learn(Condition condition, const Comparison& compared);
 
  private:
   [[nodiscard]] std::optional<std::pair<Base, Value>> not_at_end(const Value& left,
@@ -90,7 +93,14 @@ std::optional<Value> sum(const Value& a, const Value& b, int sign);
 
 /// The number that is made at an address, or that two paths bring to it; a sum of several.
 enum class Origin : std::uint8_t { made, joined, header, entry, sum };
-Base base_of(Origin origin, Address at, const Location& location);
+// The bits of a base: what made it, of how many bits it is, half its address, its location.
+inline constexpr unsigned kIsPlace = 63, kOrigin = 60, kBits = 55, kAddress = 24;
+constexpr Base base_of(Origin origin, Address at, const Location& location) {
+  constexpr std::uint64_t kOffset = 0x7fffff, kOfStack = 0x800000;
+  const auto where = static_cast<std::uint64_t>(location.at) & kOffset;
+  return (std::uint64_t{1} << kIsPlace) | (static_cast<std::uint64_t>(origin) << kOrigin) |
+         (std::uint64_t{at >> 1U} << kAddress) | where | (location.on_stack ? kOfStack : 0);
+}
 /// The same of a number from 0 to 2^bits - 1; `bits` up to 31.
 Base base_of_bits(Address at, const Location& location, unsigned bits);
 /// Whether a value is an unknown number plus one of several, and not that of a loop's header or the
@@ -107,19 +117,21 @@ class Sums {
  public:
   /// The same for the same numbers in any order; nullopt: of too many.
   std::optional<Base> of(Base a, Base b);
-  /// The numbers of a sum; of another number itself.
-  [[nodiscard]] std::vector<Base> parts(Base base) const;
+  /// The numbers of a sum, valid until of() is called; empty: it is none.
+  [[nodiscard]] std::span<const Base> parts(Base base) const;
 
  private:
-  std::vector<std::vector<Base>> sums_;
-  std::map<std::vector<Base>, Base> known_;
+  using Parts = std::array<Base, 4>;  // in order, then 0
+
+  std::vector<Parts> sums_;
+  std::map<Parts, Base> known_;
 };
 
 /// Whether the numbers of two states are the same.
 bool is_same(const State& a, const State& b);
 
-/// The facts that hold on both ways to `at`.
-State join(const State& a, const State& b, Address at);
+/// Leaves the facts that hold on both ways to `at`.
+void join(State& state, const State& other, Address at);
 
 /// Applies an instruction that is no jump. A call leaves what a callee must preserve (AAPCS 6.1).
 void apply(const Image& image, const Instruction& instruction, State& state, Sums& sums);
@@ -128,6 +140,6 @@ void apply(const Image& image, const Instruction& instruction, State& state, Sum
 std::optional<std::size_t> register_of(std::string_view operand);
 
 /// Whether a condition holds: nullopt if both are possible.
-std::optional<bool> holds(std::string_view condition, const Comparison& comparison);
+std::optional<bool> holds(Condition condition, const Comparison& comparison);
 
 }  // namespace eagerx::gen::bound

@@ -13,16 +13,16 @@ bool is_on_every_turn(const Flow& flow, const Loop& loop, BlockIndex block) {
 }
 
 /// When a branch is taken.
-std::string condition_of(const Instruction& branch) {
+Condition condition_of(const Instruction& branch) {
   if (!branch.name.starts_with("cb")) return branch.condition;
-  return branch.name == "cbz" ? "eq" : "ne";
+  return branch.name == "cbz" ? Condition::eq : Condition::ne;
 }
 
 /// Brings a state to a place that another one may have come to.
 template <class Key>
 void add(std::map<Key, State>& states, const Key& to, State&& state, Address at) {
   const auto [found, is_new] = states.try_emplace(to, std::move(state));
-  if (!is_new) found->second = join(found->second, state, at);
+  if (!is_new) join(found->second, state, at);
 }
 
 }  // namespace
@@ -36,8 +36,10 @@ void Walk::function(const State& entry) {
     result_.obstacles.push_back({Reason::several_entries, address(to)});
   pass(kNone, entry, true);
   for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
-    if (result_.reached[b] && flow_.blocks[b].lost)
-      result_.obstacles.push_back({Reason::lost, flow_.blocks[b].code.back()->at});
+    const Block& block = flow_.blocks[b];
+    if (!result_.reached[b]) continue;
+    if (block.lost) result_.obstacles.push_back({Reason::lost, block.code.back()->at});
+    result_.returns |= block.returns || block.lost;
   }
 }
 
@@ -45,11 +47,10 @@ Walk::Pass Walk::pass(LoopIndex loop_index, const State& header, bool record) {
   Pass result;
   std::map<BlockIndex, State> open;
   open.emplace(loop_index == kNone ? 0 : flow_.loops[loop_index].header, header);
-  for (const BlockIndex b : flow_.order) {
-    const auto found = open.find(b);
-    if (found == open.end()) continue;
-    State state = std::move(found->second);
-    open.erase(found);
+  for (const BlockIndex b : flow_.order_in(loop_index)) {
+    const auto found = open.extract(b);
+    if (found.empty()) continue;
+    State& state = found.mapped();
     const LoopIndex inner = flow_.child(loop_index, b);
     if (inner == kNone) {
       block(loop_index, b, std::move(state), record, result, open);
@@ -61,7 +62,7 @@ Walk::Pass Walk::pass(LoopIndex loop_index, const State& header, bool record) {
   return result;
 }
 
-void Walk::block(LoopIndex loop_index, BlockIndex b, State state, bool record, Pass& to,
+void Walk::block(LoopIndex loop_index, BlockIndex b, State&& state, bool record, Pass& to,
                  std::map<BlockIndex, State>& open) {
   const Block& here = flow_.blocks[b];
   if (record) result_.reached[b] = true;
@@ -117,9 +118,13 @@ void Walk::deliver(LoopIndex loop_index, Edge edge, State&& state, bool record, 
   const BlockIndex target = edge.second;
   if (loop_index != kNone && target == flow_.loops[loop_index].header) {
     auto& [escaped, arguments] = escapes_.try_emplace(loop_index, INT64_MAX, false).first->second;
+    if (state.escaped < escaped || (state.arguments_escaped && !arguments)) ++escape_changes_;
     escaped = std::min(escaped, state.escaped);
     arguments |= state.arguments_escaped;
-    to.latch = to.latch ? join(*to.latch, state, address(target)) : std::move(state);
+    if (to.latch)
+      join(*to.latch, state, address(target));
+    else
+      to.latch = std::move(state);
   } else if (flow_.is_in(target, loop_index)) {
     add(open, target, std::move(state), address(target));
   } else {
@@ -176,7 +181,7 @@ std::optional<Turns> Walk::turns(LoopIndex l, const State& in, const Pass& pass,
     const auto test = pass.tests.find(edge.first);
     const Block& block = flow_.blocks[edge.first];
     if (test == pass.tests.end() || block.loop != l) continue;
-    const std::string condition = condition_of(*block.code.back());
+    const Condition condition = condition_of(*block.code.back());
     const bool leaves_when_taken = edge.second == block.next[1];
     const auto found = turns_of({test->second, leaves_when_taken ? opposite(condition) : condition},
                                 progress_of, in);
@@ -230,7 +235,7 @@ Walk::Enumerated Walk::one_by_one(LoopIndex l, const State& in, std::optional<Tu
   if (known && known->most > kMostTurns) return {known, {}};
   ++depth_;
   std::optional<State> header = in;
-  std::map<Location, Value> ranges;
+  FlatMap<Location, Value> ranges;
   const std::uint64_t most = known ? known->most : kMostTurns;
   std::uint64_t turns = 0;
   bool decides = false, hesitates = false;
@@ -268,20 +273,49 @@ Walk::Pass Walk::trial(LoopIndex l, const State& header) {
   return result;
 }
 
+bool Walk::FirstTrial::is_of(const State& other) const {
+  return header.registers[kSp] == other.registers[kSp] && header.stack == other.stack &&
+         header.escaped == other.escaped && header.arguments_escaped == other.arguments_escaped;
+}
+
+/// A trial with all values open but the stack pointer. It is the same each time the loop is entered
+/// with the same words of the stack.
+Walk::FirstTrial Walk::first_trial(LoopIndex l, const State& in) {
+  const Locations kept(Location{false, kSp});
+  FirstTrial result;
+  result.header = open_header(l, in, kept);
+  result.is_in_turns = depth_ > 0;
+  result.escapes = escape_changes_;
+  for (const FirstTrial& known : first_trials_[l]) {
+    if (known.is_in_turns != result.is_in_turns || known.escapes != result.escapes ||
+        !known.is_of(result.header))
+      continue;
+    unbounded_ += known.unbounded;
+    return known;
+  }
+  const unsigned unbounded = unbounded_;
+  const Pass pass = trial(l, result.header);
+  result.turns_back = pass.latch.has_value();
+  if (pass.latch) result.found = changes(l, in, result.header, *pass.latch, kept);
+  result.unbounded = unbounded_ - unbounded;
+  // Limits are of numbers that this header does not have, unless its stack pointer is one.
+  if (escape_changes_ == result.escapes && in.registers[kSp].base == kStack)
+    first_trials_[l].push_back(result);
+  return result;
+}
+
 std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
   // First with all values open, then with those that stay and those that keep their distance.
-  const Locations kept(Location{false, kSp});
-  State header = open_header(l, in, kept);
-  Pass first = trial(l, header);
-  Changes found;
   Ties ties;
   Enumerated turned;
   std::optional<Turns>& count = turned.count;
   const unsigned unbounded = unbounded_;
-  if (first.latch) {
-    found = changes(l, in, header, *first.latch, kept);
+  FirstTrial first = first_trial(l, in);
+  Changes& found = first.found;
+  bool leaves_at_one = false;
+  if (first.turns_back) {
     ties = likely_ties(in, found.fixed);
-    header = open_header(l, in, found.fixed);
+    State header = open_header(l, in, found.fixed);
     tie(l, in, ties, header);
     Pass second = trial(l, header);
     for (bool again = true; second.latch && !hold(ties, in, *second.latch); again = false) {
@@ -292,16 +326,16 @@ std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
     }
     if (second.latch) {
       found = changes(l, in, header, *second.latch, found.fixed);
-      std::erase_if(ties, [&](const auto& tie) {
+      ties.erase_if([&](const auto& tie) {
         return found.fixed.contains(tie.first) || found.fixed.contains(tie.second);
       });
       count = turns(l, in, second, found);
+      leaves_at_one = second.exits.size() == 1;
     } else {
       count = Turns{1, true};
     }
   } else {
     count = Turns{1, true};  // it never goes back
-    header = in;
     for (const Location& where : in.locations()) found.fixed.insert(where);
   }
   if (const auto known = of_library(l); known && !count) count = Turns{*known, false};
@@ -314,10 +348,15 @@ std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
     result_.most_turns[l] = count ? std::optional(count->most) : std::nullopt;
     if (!count) result_.obstacles.push_back({Reason::loop, address(flow_.loops[l].header)});
   }
-  auto exits = pass(l, running_header(l, in, found, ties, turned, false), record).exits;
-  if (count && count->is_exact && exits.size() == 1)
+  const auto last = [&] {
     return pass(l, running_header(l, in, found, ties, turned, true), false).exits;
-  return exits;
+  };
+  // Where nothing is recorded, the last turn is all that matters.
+  const bool is_exact = count && count->is_exact;
+  const bool is_counting = depth_ > 0 && trials_ == 0;
+  if (!record && !is_counting && is_exact && leaves_at_one) return last();
+  auto exits = pass(l, running_header(l, in, found, ties, turned, false), record).exits;
+  return is_exact && exits.size() == 1 ? last() : std::move(exits);
 }
 
 /// Within a loop that is gone through turn by turn, the most turns of an inner loop in each of

@@ -55,16 +55,27 @@ class Walk {
   /// Changes of the places that a loop writes.
   struct Changes {
     Locations fixed;
-    std::map<Location, Value> steps;
+    FlatMap<Location, Value> steps;
+  };
+  /// What a loop changes if nothing is known of values.
+  struct FirstTrial {
+    Changes found;
+    bool turns_back = false;
+    unsigned unbounded = 0;  // loops in it without a number of turns
+    // What it depends on.
+    State header;
+    bool is_in_turns = false;
+    unsigned escapes = 0;
+    [[nodiscard]] bool is_of(const State& other) const;
   };
 
   Pass pass(LoopIndex loop, const State& header, bool record);
-  void block(LoopIndex loop, BlockIndex b, State state, bool record, Pass& to,
+  void block(LoopIndex loop, BlockIndex b, State&& state, bool record, Pass& to,
              std::map<BlockIndex, State>& open);
   void deliver(LoopIndex loop, Edge edge, State&& state, bool record, Pass& to,
                std::map<BlockIndex, State>& open);
   struct Branch {
-    std::string condition;  // when it is taken
+    Condition condition = Condition::always;  // when it is taken
     Comparison comparison;
     std::optional<bool> is_taken;
   };
@@ -72,23 +83,24 @@ class Walk {
 
   /// What a loop's header has in all turns.
   struct Enumerated {
-    std::optional<Turns> count;        // until it leaves; nullopt: that is not known
-    std::map<Location, Value> ranges;  // of numbers that are known in each of these turns
+    std::optional<Turns> count;       // until it leaves; nullopt: that is not known
+    FlatMap<Location, Value> ranges;  // of numbers that are known in each of these turns
   };
   using Counts = std::map<LoopIndex, std::optional<std::uint64_t>>;
   Enumerated one_by_one(LoopIndex l, const State& in, std::optional<Turns> known);
-  static void widen(std::map<Location, Value>& ranges, const State& header, bool is_first);
+  static void widen(FlatMap<Location, Value>& ranges, const State& header, bool is_first);
   Pass trial(LoopIndex l, const State& header);
+  FirstTrial first_trial(LoopIndex l, const State& in);
   std::map<Edge, State> loop(LoopIndex l, const State& in, bool record);
   void count_inner(LoopIndex l, bool record, std::optional<Turns>& count);
   State open_header(LoopIndex l, const State& in, const Locations& fixed);
   /// [location] another one, from which it stays as far as it is at first.
-  using Ties = std::map<Location, Location>;
+  using Ties = FlatMap<Location, Location>;
   void tie(LoopIndex l, const State& in, const Ties& ties, State& header) const;
   [[nodiscard]] Ties likely_ties(const State& in, const Locations& fixed) const;
   [[nodiscard]] static Ties kept_ties(const Ties& ties, const State& in, const State& latch);
   [[nodiscard]] static bool hold(const Ties& ties, const State& in, const State& latch);
-  void forget_limits(LoopIndex l, State& state);
+  void forget_limits(LoopIndex l, State& state) const;
   [[nodiscard]] bool separates(LoopIndex l, const std::set<BlockIndex>& tests) const;
   [[nodiscard]] Changes changes(LoopIndex l, const State& in, const State& header,
                                 const State& latch, const Locations& fixed) const;
@@ -96,7 +108,7 @@ class Walk {
                              const Changes& changes);
   [[nodiscard]] std::optional<Progress> progress(LoopIndex l, const State& in,
                                                  const Changes& changes, const Value& value) const;
-  [[nodiscard]] bool is_made_in(LoopIndex l, Base base);
+  [[nodiscard]] bool is_made_in(LoopIndex l, Base base) const;
   [[nodiscard]] std::optional<std::uint64_t> noted(LoopIndex l) const;
   [[nodiscard]] std::optional<std::uint64_t> of_library(LoopIndex l) const;
   State running_header(LoopIndex l, const State& in, const Changes& changes, const Ties& ties,
@@ -109,8 +121,9 @@ class Walk {
   const Image& image_;
   const Flow& flow_;
   Analysed& result_;
-  std::map<LoopIndex, std::vector<Address>> addresses_;         // of loops, in order
   std::map<LoopIndex, std::pair<std::int64_t, bool>> escapes_;  // of a loop: what escapes in it
+  unsigned escape_changes_ = 0;
+  std::map<LoopIndex, std::vector<FirstTrial>> first_trials_;
   State entry_;
   unsigned depth_ = 0;      // of loops that are gone through one by one
   unsigned trials_ = 0;     // of passes that are trials

@@ -106,10 +106,13 @@ class Fitting {
   std::map<std::size_t, double> latest_;
 };
 
-/// "most of it: `engine` 1830.1 us, `policy` 64.2 us"
+/// "most of it: `engine` 1830.1 us, `policy` 64.2 us". What the nodes take in a step, if all slots
+/// share one function.
 std::string who_takes_most(const BoundReport& report, const Plan& plan, const SlotFit& slot) {
+  const auto own = std::ranges::find(report.slots, std::optional(slot.mask), &SlotBound::due);
+  const bool has_own = own != report.slots.end() && !own->nodes.empty();
   std::vector<std::pair<double, std::string>> parts;
-  for (const InstructionBound& row : report.nodes) {
+  for (const InstructionBound& row : has_own ? own->nodes : report.nodes) {
     const auto node = std::ranges::find(plan.graph->nodes, row.name, &GraphNode::name);
     if (node == plan.graph->nodes.end()) continue;
     const auto index = static_cast<std::size_t>(node - plan.graph->nodes.begin());
@@ -121,11 +124,11 @@ std::string who_takes_most(const BoundReport& report, const Plan& plan, const Sl
     parts.emplace_back(report.time->seconds(policy->cycles), policy->name);
   std::ranges::sort(parts, std::greater<>());
   constexpr std::size_t kShown = 3;
-  std::string text;
+  std::string text = has_own ? "most of it: " : "most of it, in a step: ";
   for (std::size_t i = 0; i < std::min(kShown, parts.size()); ++i)
-    text += fmt::format("{}`{}` {:.1f} us", i == 0 ? "most of it, in a step: " : ", ",
-                        parts[i].second, parts[i].first * kMicro);
-  return text;
+    text += fmt::format("{}`{}` {:.1f} us", i == 0 ? "" : ", ", parts[i].second,
+                        parts[i].first * kMicro);
+  return parts.empty() ? "" : text;
 }
 
 std::string line_of(const char* what, const std::string& name, double busy_s, double of_s) {

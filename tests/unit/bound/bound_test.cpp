@@ -108,6 +108,20 @@ TEST(Loops, CountersWrap) {
             only(3 + 10 * 3 + 1));
 }
 
+TEST(Loops, CountersThatWrapMayBeginAnywhere) {
+  const auto until = [](const char* end, const char* step) {
+    return bound_of(std::string("   0:\tldr\tr2, [r0, #0]\n   2:\tmov.w\tr7, #") + step +
+                    "\n   6:\tmov.w\tr4, #" + end +
+                    "\n   a:\tadd\tr4, r2\n   c:\tadds\tr2, r2, r7\n   e:\tcmp\tr4, r2\n"
+                    "  10:\tbne.n\tc <f+0xc>\n  12:\tbx\tlr\n");
+  };
+  EXPECT_EQ(until("774553914", "2654435769"), only(4 + 10 * 3 + 1));
+  EXPECT_EQ(until("4294967256", "4294967292"), only(4 + 10 * 3 + 1));
+  // Steps of 6 meet 3 never, and one of 3 after a third of all numbers.
+  EXPECT_EQ(until("3", "6").why, std::set{Reason::loop});
+  EXPECT_EQ(until("1", "3").why, std::set{Reason::loop});
+}
+
 TEST(Loops, StartBelowAnEndThatWasExcluded) {
   EXPECT_EQ(bound_of("   0:\tldr\tr6, [r0, #0]\n   2:\tcmp\tr6, #11\n   4:\tbhi.n\t14 <f+0x14>\n"
                      "   6:\tcmp\tr6, #11\n   8:\tbeq.n\t14 <f+0x14>\n   a:\tadds\tr3, r6, #1\n"

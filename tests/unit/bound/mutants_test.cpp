@@ -142,7 +142,7 @@ Executed execute(const Image& image, unsigned inputs) {
     if (i->name == "movs") reg(*i) = number(*i);
     if (i->name == "subs") zero = (reg(*i) -= number(*i)) == 0;
     if (i->name == "cmp") zero = reg(*i) == number(*i);
-    const bool holds = i->condition.empty() || (i->condition == "eq") == zero;
+    const bool holds = !i->is_conditional() || (i->condition == Condition::eq) == zero;
     if (i->name == "b" && holds) next = i->target;
     if (i->name == "bl") {
       returns.push_back(i->next);

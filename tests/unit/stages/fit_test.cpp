@@ -157,6 +157,15 @@ TEST(TimeBudget, NamesTheSlotAndTheNodesThatTakeMost) {
   }
 }
 
+TEST(TimeBudget, NamesTheNodesOfThatSlotWhereTheyAreKnown) {
+  BoundReport with_nodes = report();
+  with_nodes.slots[2].nodes = {row("position", 200), row("engine", 3000)};
+  const auto found = problems("{slot: 400 us}", with_nodes);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].help.text,
+            "most of it: `engine` 300.0 us, `policy` 50.0 us, `position` 20.0 us");
+}
+
 TEST(TimeBudget, OfWhatHasNoTimeIsAnError) {
   BoundReport without = report();
   without.time.reset();
