@@ -67,10 +67,12 @@ class Own:
         return program
 
     def policies(self):
-        """Instructions of one answer of each network of tests/bench/policy, in QEMU."""
+        """Instructions of one answer of each network of tests/bench/policy, in QEMU; `int8_`: weights of eight bits and relu."""
         said = measure.quietly(measure.HERE / "policy/board", "M4F")
         lines = said.split("Eigen", maxsplit=1)[0].splitlines()
-        return {words[0]: int(words[1]) for words in map(str.split, lines) if len(words) == 6}
+        lines = [words for words in map(str.split, lines) if len(words) == 6]
+        counts = {name: int(exact) for name, exact, *_ in lines}
+        return counts | {name.replace("relu", "int8"): int(int8) for name, _, _, _, int8, _ in lines if name.startswith("relu")}
 
     def chain(self, nodes):
         """The program of a chain of nodes at one rate, each of which hashes what it gets from the one before."""

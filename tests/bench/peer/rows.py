@@ -10,7 +10,7 @@ from programs import BOARD, CLASSICS
 
 RUNS = 5
 LONG_CHAIN = 200  # nodes; the short one has half as many
-NETWORKS = ("relu_64_64", "tanh_64_64", "relu_256_256")
+NETWORKS = ("relu_64_64", "tanh_64_64", "relu_256_256", "int8_64_64", "int8_256_256")
 
 
 def instructions(program, count):
@@ -102,7 +102,7 @@ def policies(own, peer):
 
 
 def hops(own, peer):
-    """Of two chains of nodes: what the program of the longer one needs more, for each of its additional nodes."""
+    """Of two chains of nodes: the additional instructions of the longer one, by its additional nodes."""
     short, long = (instructions((own.chain(nodes),), 1000) for nodes in (LONG_CHAIN // 2, LONG_CHAIN))
     yield line(f"{ROWS['hop'].title}: instructions", ",.0f", (long - short) / (LONG_CHAIN // 2), instructions((peer.program("hop"),), 20_000))
 
