@@ -64,7 +64,10 @@ def machine():
 
 def quietly(*command, cwd=None, good=(0,)):
     """Runs a command; its output is shown only if it fails, with an exit code that is not `good`."""
-    done = subprocess.run([str(c) for c in command], cwd=cwd, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    try:
+        done = subprocess.run([str(c) for c in command], cwd=cwd, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    except OSError as problem:
+        sys.exit(f"error: `{command[0]}` does not start: {problem.strerror}")
     if done.returncode not in good:
         sys.stderr.write(done.stdout)
         sys.exit(f"error: `{' '.join(str(c) for c in command)}` failed")

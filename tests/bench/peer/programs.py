@@ -1,4 +1,5 @@
 """Programs that tests/bench/peers runs: those of this tree, which it builds, and those of a peer, which it finds."""
+import functools
 import os
 import re
 import subprocess
@@ -66,6 +67,7 @@ class Own:
                         f"-Wl,-rpath,{library.parent}", "-o", program)
         return program
 
+    @functools.cache
     def policies(self):
         """Instructions of one answer of each network of tests/bench/policy, in QEMU; `int8_`: weights of eight bits and relu."""
         said = measure.quietly(measure.HERE / "policy/board", "M4F")

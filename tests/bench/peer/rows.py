@@ -42,13 +42,15 @@ def stepped(what, ours, theirs, counted, timed, native=None, items=1):
 
 
 def one_cart_pole(own, peer):
+    theirs = peer.program("one_cart_pole")
     ours = own.over_library("one_cart_pole", "graph.yaml", "one.cpp", "-DDRIVE=upright")
-    return stepped(ROWS["one"].title, (ours,), (peer.program("one_cart_pole"),), 20_000, 5_000_000)
+    return stepped(ROWS["one"].title, (ours,), (theirs,), 20_000, 5_000_000)
 
 
 def one_pendulum(own, peer):
+    theirs = peer.program("one_pendulum")
     ours = own.over_library("one_pendulum", "pendulum.yaml", "one.cpp", "-DDRIVE=brake")
-    return stepped(ROWS["pendulum"].title, (ours,), (peer.program("one_pendulum"),), 20_000, 5_000_000)
+    return stepped(ROWS["pendulum"].title, (ours,), (theirs,), 20_000, 5_000_000)
 
 
 def cart_poles(own, _):
@@ -91,20 +93,24 @@ def trainings(own, peer):
 
 def policies(own, peer):
     """Instructions in QEMU; the peer's images print theirs."""
-    ours = own.policies()
+    theirs = {}
     for network in NETWORKS:
-        image = peer.folder / f"{network}.elf"
-        if network == NETWORKS[0] or image.is_file():
-            said = measure.quietly("timeout", 300, *BOARD, peer.program(image.name, executable=False)).split()
+        if network == NETWORKS[0] or (peer.folder / f"{network}.elf").is_file():
+            image = peer.program(f"{network}.elf", executable=False)
+            said = measure.quietly("timeout", 300, *BOARD, image).split()
             if len(said) != 1 or not said[0].isdigit():
                 raise SystemExit(f"error: `{image}` must print its instructions, and nothing else: {' '.join(said)}")
-            yield line(f"{ROWS['policy'].title}, {network}", ",.0f", ours[network], int(said[0]))
+            theirs[network] = int(said[0])
+    ours = own.policies()
+    for network, count in theirs.items():
+        yield line(f"{ROWS['policy'].title}, {network}", ",.0f", ours[network], count)
 
 
 def hops(own, peer):
     """Of two chains of nodes: the additional instructions of the longer one, by its additional nodes."""
+    theirs = instructions((peer.program("hop"),), 20_000)
     short, long = (instructions((own.chain(nodes),), 1000) for nodes in (LONG_CHAIN // 2, LONG_CHAIN))
-    yield line(f"{ROWS['hop'].title}: instructions", ",.0f", (long - short) / (LONG_CHAIN // 2), instructions((peer.program("hop"),), 20_000))
+    yield line(f"{ROWS['hop'].title}: instructions", ",.0f", (long - short) / (LONG_CHAIN // 2), theirs)
 
 
 @dataclass
