@@ -63,8 +63,9 @@ class Own:
         """A program over the library of a graph."""
         sources, library = self.library(graph)
         program = self.work / name
-        measure.quietly("g++", *FLAGS, *flags, f"-I{sources}", f"-I{measure.ROOT}/runtime", f"-I{measure.ROOT}", HERE / source, library,
-                        f"-Wl,-rpath,{library.parent}", "-o", program)
+        measure.quietly("g++", *FLAGS, *flags, f"-I{sources}", f"-I{measure.ROOT}/runtime", f"-I{measure.ROOT}", "-c", HERE / source, "-o", f"{program}.o")
+        # Without the flags: with -ffast-math a program starts in another mode of the floating-point unit, the library's too.
+        measure.quietly("g++", f"{program}.o", library, f"-Wl,-rpath,{library.parent}", "-o", program)
         return program
 
     @functools.cache
