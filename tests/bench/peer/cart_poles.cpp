@@ -19,7 +19,7 @@ constexpr float kGravity = 9.8F, kPole = 0.1F, kMass = 1.1F, kLength = 0.5F, kFo
 constexpr float kStep = 0.02F, kLane = 2.4F, kTilt = 0.20943951F;
 constexpr std::uint32_t kLongest = 500;
 
-float x[kCount], v[kCount], theta[kCount], omega[kCount];
+float x[kCount], v[kCount], theta[kCount], omega[kCount], sines[kCount], cosines[kCount];
 std::uint32_t age[kCount];
 std::uint32_t random_bits = 1;
 
@@ -39,9 +39,12 @@ void begin(std::size_t i) {
 void loop_step(const float* __restrict action, float* __restrict reward,
                std::uint8_t* __restrict terminated, std::uint8_t* __restrict truncated,
                float* __restrict observation) {
+  // Two loops: in one, g++ would make a call of sincosf() of both, which it does not vectorize.
+  for (std::size_t i = 0; i < kCount; ++i) sines[i] = std::sin(theta[i]);
+  for (std::size_t i = 0; i < kCount; ++i) cosines[i] = std::cos(theta[i]);
   for (std::size_t i = 0; i < kCount; ++i) {
     const float force = action[i] > 0.5F ? kForce : -kForce;
-    const float sine = std::sin(theta[i]), cosine = std::cos(theta[i]);
+    const float sine = sines[i], cosine = cosines[i];
     const float push = (force + kPole * kLength * omega[i] * omega[i] * sine) / kMass;
     const float turn = (kGravity * sine - cosine * push) /
                        (kLength * (4.0F / 3.0F - kPole * cosine * cosine / kMass));
