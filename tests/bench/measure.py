@@ -62,10 +62,13 @@ def machine():
     return f"{model[1] if model else 'unknown processor'}, {os.cpu_count()} cores"
 
 
-def quietly(*command, cwd=None):
-    """Runs a command; its output is shown only if it fails."""
-    done = subprocess.run([str(c) for c in command], cwd=cwd, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    if done.returncode != 0:
+def quietly(*command, cwd=None, good=(0,)):
+    """Runs a command; its output is shown only if it fails, with an exit code that is not `good`."""
+    try:
+        done = subprocess.run([str(c) for c in command], cwd=cwd, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    except OSError as problem:
+        sys.exit(f"error: `{command[0]}` does not start: {problem.strerror}")
+    if done.returncode not in good:
         sys.stderr.write(done.stdout)
         sys.exit(f"error: `{' '.join(str(c) for c in command)}` failed")
     return done.stdout
@@ -83,12 +86,16 @@ def generator_folder(build):
     return build.parent / "generator"
 
 
+def children_s():
+    """User and system time of all commands so far, everything included."""
+    spent = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return spent.ru_utime + spent.ru_stime
+
+
 def processor_time_s(*command):
-    """User and system time of a command, everything included."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    before = children_s()
     quietly(*command)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    return children_s() - before
 
 
 def make_graph(nodes, folder, rates_hz=graphs.RATES_HZ):
@@ -157,6 +164,16 @@ def instructions(program, function, steps, *arguments):
         text = quietly("valgrind", "--tool=callgrind", f"--callgrind-out-file={file.name}",
                        f"--toggle-collect=eagerx::bench::{function}(*long)", program, steps, *arguments)
     return int(re.search(r"Collected : (\d+)", text)[1])
+
+
+def environments(build, graph, work):
+    """Folder of sources and library of environments of a graph, made by the eagerx-gen of a build folder."""
+    quietly(build / "eagerx-gen", "generate", graph, "--quiet", "--target", "environments", "-o", work / "library")
+    quietly("cmake", "-S", work / "library", "-B", work / "build", "-G", "Ninja", "-DCMAKE_CXX_COMPILER=g++", "-DCMAKE_BUILD_TYPE=Release",
+            f"-Deagerx_gen_DIR={build}")
+    quietly("ninja", "-C", work / "build")
+    (library,) = (work / "build").glob("lib*_environments.so")
+    return work / "library", library
 
 
 def trace_hash(program):
