@@ -102,6 +102,7 @@ class MujocoSimulator {
     return at;
   }
   models::Vector3 point(std::size_t body, const models::Vector3& offset) const {
+    using models::operator+;
     const models::RigidState at = state(body);
     return at.position + models::rotate(at.rotation, offset);
   }
