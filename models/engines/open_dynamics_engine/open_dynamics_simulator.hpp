@@ -6,12 +6,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <models/engines/open_dynamics_engine/joint_drive.hpp>
 #include <models/engines/open_dynamics_engine/reset_targets.hpp>
 #include <models/engines/open_dynamics_engine/rigid_joints.hpp>
 #include <models/engines/open_dynamics_engine/rigid_parts.hpp>
 #include <models/engines/open_dynamics_engine/rigid_world.hpp>
 #include <models/engines/open_dynamics_engine/scene.hpp>
-#include <models/engines/open_dynamics_engine/servo_constraint.hpp>
 #include <models/engines/open_dynamics_engine/spring_constraint.hpp>
 
 namespace eagerx::models {
@@ -78,7 +78,7 @@ class OpenDynamicsSimulator {
     for (std::size_t j = 0; j < kJoints; ++j) {
       anchor_[j] = Model::kJoints[j].anchor;
       turns_[j] = {};
-      factors_[j] = {1.0, 1.0, 1.0};
+      drive_[j].restart();
     }
     for (std::size_t g = 0; g < kGeometries; ++g) {
       shape_[g].friction = Model::kGeometries[g].friction;
@@ -92,8 +92,6 @@ class OpenDynamicsSimulator {
     }
     input = {};
     force_ = {};
-    torque_ = {};
-    servo_ = {};
     reconfigure();
     for (std::size_t b = 0; b < kBodies; ++b) place_body(body_[b], reference_state(b));
     place();
@@ -152,41 +150,23 @@ class OpenDynamicsSimulator {
     const double scale = mass / nominal.mass;
     set_mass(body, mass, scale * nominal.inertia, scale * nominal.products);
   }
-  /// Factors on the torques of actuators; negative or non-finite ones are ignored.
-  void set_strength(std::size_t joint, double factor) {
-    if (is_factor(factor)) factors_[joint].strength = factor;
-  }
+  void set_strength(std::size_t joint, double factor) { drive_[joint].set_strength(factor); }
   void set_gains(std::size_t joint, double stiffness, double damping) {
-    if (is_factor(stiffness)) factors_[joint].stiffness = stiffness;
-    if (is_factor(damping)) factors_[joint].damping = damping;
+    drive_[joint].set_gains(stiffness, damping);
   }
   void set_anchor(std::size_t joint, const Vector3& anchor) { anchor_[joint] = anchor; }
   void set_reference(std::size_t body, const Vector3& position) { reference_[body] = position; }
 
   // ---- for actuate() of the model, and for engine nodes
-  // No actuator has more torque than the joint's max_torque.
-  /// Held until it is set again, instead of torques.
-  void set_joint_servo(std::size_t joint, JointServo servo) {
-    servo.position = finite_or_zero(servo.position);
-    servo.max_torque = eagerx::min(servo.max_torque, Model::kJoints[joint].max_torque);
-    servo_[joint] = servo;
+  void set_joint_servo(std::size_t joint, const JointServo& servo) {
+    drive_[joint].set_servo(Model::kJoints[joint], servo);
   }
-  /// Held until it is set again: torque of a hinge about its axis [N·m], force of a slider [N].
   void set_joint_torque(std::size_t joint, double torque) {
-    const double most = Model::kJoints[joint].max_torque;
-    torque_[joint] = eagerx::max(-most, eagerx::min(finite_or_zero(torque), most));
+    drive_[joint].set_torque(Model::kJoints[joint], torque);
   }
-  double joint_torque(std::size_t joint) const { return torque_[joint] * factors_[joint].strength; }
-  /// Makes hinge or slider move at `velocity` with `torque` at most (a force of sliders). One that
-  /// is not stronger than the joint's friction does nothing.
+  double joint_torque(std::size_t joint) const { return drive_[joint].torque(); }
   void set_joint_motor(std::size_t joint, double velocity, double torque) {
-    const RigidJoint& of = Model::kJoints[joint];
-    const double strength = factors_[joint].strength;
-    const double most = eagerx::min(finite_or_zero(torque), of.max_torque) * strength - of.friction;
-    has_motor_[joint] = most > 0.0;
-    set_joint_parameter(joint_[joint], of.kind, dParamVel,
-                        most > 0.0 ? finite_or_zero(velocity) : 0.0);
-    set_joint_parameter(joint_[joint], of.kind, dParamFMax, most > 0.0 ? most : of.friction);
+    drive_[joint].set_motor(joint_[joint], Model::kJoints[joint], velocity, torque);
   }
   double joint_position(std::size_t joint, std::size_t axis = 0) const {
     constexpr double kFullTurn = 6.283185307179586;
@@ -284,19 +264,20 @@ class OpenDynamicsSimulator {
       dBodyAddForce(body_[b], f[0], f[1], f[2]);
     }
     for (std::size_t j = 0; j < kJoints; ++j) {
-      if (HingeStops::are_switched(Model::kJoints[j]))
-        HingeStops::update(joint_[j], Model::kJoints[j], joint_position(j));
-      spring_[j].pull(Model::kJoints[j], joint_position(j), step_s_);
-      if (hold_by_constraint(j)) continue;
-      const double applied = actuator_torque(j);
-      const double torque = applied - damping_torque(j, applied);
+      const RigidJoint& of = Model::kJoints[j];
+      const JointStep at{joint_position(j), joint_velocity(j),
+                         inertia_of_joint(of, Model::kBodies[kChild[j]]), step_s_,
+                         dWorldGetCFM(world_)};
+      if (HingeStops::are_switched(of)) HingeStops::update(joint_[j], of, at.position);
+      spring_[j].pull(of, at.position, step_s_);
+      const double torque = drive_[j].torque_of_step(joint_[j], of, at);
       if (torque != 0.0) apply_torque(j, torque);
     }
   }
   void after_step() {
     for (std::size_t j = 0; j < kJoints; ++j) {
       if (Model::kJoints[j].kind == JointKind::hinge) follow_turns(j);
-      if (constraint_[j].holds()) torque_[j] = constraint_[j].torque_at(joint_velocity(j));
+      if (drive_[j].is_constraint()) drive_[j].after_step(joint_velocity(j));
     }
   }
 
@@ -379,41 +360,6 @@ class OpenDynamicsSimulator {
     }
   }
 
-  /// As a motor that holds 0, which never turns the joint around, with the torque of the velocity
-  /// at the end of the step. A joint has one motor, so next to another it is a torque.
-  double damping_torque(std::size_t j, double applied) {
-    const RigidJoint of = SpringConstraint::without(Model::kJoints[j]);
-    if (!(of.damping > 0.0)) return 0.0;
-    const double inertia = joint_inertia(j);
-    // A torque of the step's beginning must not turn the joint around.
-    if (has_motor_[j] && step_s_ * of.damping <= inertia) return of.damping * joint_velocity(j);
-    const double v = velocity_after(of, inertia, joint_velocity(j), applied, step_s_);
-    if (has_motor_[j]) return of.damping * v;
-    set_joint_parameter(joint_[j], of.kind, dParamFMax, of.friction + of.damping * eagerx::abs(v));
-    return 0.0;
-  }
-
-  bool hold_by_constraint(std::size_t j) {
-    const RigidJoint of = SpringConstraint::without(Model::kJoints[j]);
-    if (degrees_of_freedom(of.kind) != 1) return false;
-    return constraint_[j].hold(
-        joint_[j], of, has_motor_[j] ? JointServo{} : scaled(servo_[j], factors_[j]),
-        factors_[j].strength,
-        {joint_position(j), joint_velocity(j), joint_inertia(j), step_s_, dWorldGetCFM(world_)});
-  }
-  static constexpr double joint_inertia(std::size_t j) {
-    return inertia_of_joint(Model::kJoints[j], Model::kBodies[kChild[j]]);
-  }
-  static bool is_factor(double value) { return value >= 0.0 && eagerx::isfinite(value); }
-
-  double actuator_torque(std::size_t j) {
-    const JointServo servo = scaled(servo_[j], factors_[j]);
-    if (servo.max_torque > 0.0)
-      torque_[j] = servo_torque(
-          servo, {joint_position(j), joint_velocity(j), joint_inertia(j), step_s_, 0.0});
-    return torque_[j] * factors_[j].strength;
-  }
-
   void apply_torque(std::size_t j, double torque) {
     const Vector3 axis = rotate(parent_state(j).rotation, Model::kJoints[j].axis);
     push_apart(Model::kJoints[j].kind, torque * axis, body_[kChild[j]], parent_body(j));
@@ -447,11 +393,7 @@ class OpenDynamicsSimulator {
   std::array<Vector3, kBodies> reference_{};  // centres of mass in the reference pose
   std::array<Vector3, kJoints> anchor_{};
   std::array<Vector3, kBodies> force_{};
-  std::array<double, kJoints> torque_{};
-  std::array<JointServo, kJoints> servo_{};
-  std::array<ActuatorFactors, kJoints> factors_{};
-  std::array<bool, kJoints> has_motor_{};
-  std::array<ServoConstraint, kJoints> constraint_{};
+  std::array<JointDrive, kJoints> drive_{};
   std::array<SpringConstraint, kJoints> spring_{};
   std::array<TurnCounter, kJoints> turns_{};
   std::array<Vector3, kBodies> velocity_before_{};  // at the engine's last tick

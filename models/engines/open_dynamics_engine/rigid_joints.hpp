@@ -57,6 +57,9 @@ using JointServo = JointServoOf<double>;
 struct ActuatorFactors {
   double strength, stiffness, damping;
 };
+constexpr bool is_factor(double value) {
+  return value >= 0.0 && eagerx::isfinite(value);
+}
 constexpr JointServo scaled(JointServo servo, const ActuatorFactors& factors) {
   servo.stiffness *= factors.stiffness;
   servo.damping *= factors.damping;
