@@ -31,16 +31,20 @@ class RigidDrawing {
       if (!has_geometry(b) && !is_rod_[b] && !has_facets(b)) add_box(scene, simulator, b);
     }
     if constexpr (requires { Model::kFacets; }) add_facets(scene, simulator);
+    if constexpr (kHasHeights) add_heights(scene, simulator);
   }
 
  private:
   using Model = typename Simulator::Model;
   using Config = typename Io::Config;
-  using Writer = SceneWriter<std::remove_cvref_t<decltype(Io::Outputs::scene)>>;
+  using Message = std::remove_cvref_t<decltype(Io::Outputs::scene)>;
+  using Writer = SceneWriter<Message>;
   static constexpr std::size_t kBodies = Model::kBodies.size();
   static constexpr std::size_t kFollowed = scene::find(Model::kBodies, Config::follow);
   static_assert(kFollowed < kBodies || *Config::follow == '\0',
                 "RigidDrawing: `follow` is not a body of the object's model");
+  static constexpr bool kHasHeights = requires { Model::kHeights; };
+  static constexpr std::uint32_t kGround = 0xdad6ca, kDarkGround = 0xc6c2b4;
   static constexpr std::array<std::uint32_t, 6> kColours = {0x4a78a8, 0xd98a35, 0x5c9a6b,
                                                             0xb5564a, 0x8069a8, 0x7a8288};
 
@@ -102,18 +106,23 @@ class RigidDrawing {
     return kColours[body % kColours.size()];
   }
 
-  static void add_camera(Writer& scene, Simulator& simulator) {
+  /// What the camera follows, in x and y.
+  static Vector3 followed(Simulator& simulator) {
     Vector3 middle{};
-    if constexpr (kFollowed < kBodies) {
-      middle = simulator.state(kFollowed).position;
-      middle[2] = 0.0;
-    }
+    if constexpr (kFollowed < kBodies) middle = simulator.state(kFollowed).position;
+    middle[2] = 0.0;
+    return middle;
+  }
+
+  static void add_camera(Writer& scene, Simulator& simulator) {
+    Vector3 middle = followed(simulator);
+    if constexpr (kHasHeights) middle[2] = height(simulator, middle[0], middle[1]);
     const Vector3 eye{{Config::eye[0], Config::eye[1], Config::eye[2]}};
     const Vector3 target{{Config::target[0], Config::target[1], Config::target[2]}};
     scene.camera(point(middle + eye), point(middle + target), static_cast<float>(Config::angle),
                  0xe4ecf1);
     for (const auto& geometry : Model::kGeometries) {
-      if (geometry.kind == ShapeKind::plane && geometry.axis[2] == 1.0)
+      if (!kHasHeights && geometry.kind == ShapeKind::plane && geometry.axis[2] == 1.0)
         add_ground(scene, middle, geometry.position[2]);
     }
     if constexpr (Config::rail > 0.0) {
@@ -132,7 +141,36 @@ class RigidDrawing {
     const auto snapped = [](double x) { return kPair * eagerx::floor(x / kPair); };
     scene.plane(point({{snapped(middle[0]), snapped(middle[1]), z}}),
                 static_cast<float>(0.5 * kCells * Config::chequer),
-                static_cast<float>(Config::chequer), 0xdad6ca);
+                static_cast<float>(Config::chequer), kGround);
+  }
+
+  /// Of the ground in the world [m].
+  static double height(const Simulator& simulator, double x, double y) {
+    using Number = typename Simulator::Number;
+    return -static_cast<double>(simulator.height_above_ground(
+        {{static_cast<Number>(x), static_cast<Number>(y), static_cast<Number>(0.0)}}));
+  }
+  /// A square of cells of the height field around the camera's middle, in the rows that are left.
+  static void add_heights(Writer& scene, Simulator& simulator) {
+    constexpr double kSpacing = Model::kHeights.spacing;
+    const Vector3 middle = followed(simulator);
+    std::size_t side = 0;
+    while ((side + 1) * (side + 1) + scene.rows() <= kSceneRows<Message>) ++side;
+    const double half = 0.5 * static_cast<double>(side);
+    const auto edge = [&](std::size_t axis, std::size_t i) {  // of the grid, in cells from 0
+      return eagerx::floor(middle[axis] / kSpacing - half) + static_cast<double>(i);
+    };
+    const auto corner = [&](std::size_t i, std::size_t k) {
+      const double x = kSpacing * edge(0, i), y = kSpacing * edge(1, k);
+      return point({{x, y, height(simulator, x, y)}});
+    };
+    for (std::size_t i = 0; i < side; ++i) {
+      for (std::size_t k = 0; k < side; ++k) {
+        const double pairs = 0.5 * (edge(0, i) + edge(1, k));
+        scene.facet({corner(i, k), corner(i + 1, k), corner(i + 1, k + 1), corner(i, k + 1)},
+                    pairs == eagerx::floor(pairs) ? kGround : kDarkGround);
+      }
+    }
   }
 
   static void add_geometry(Writer& scene, Simulator& simulator, std::size_t g) {
@@ -162,19 +200,39 @@ class RigidDrawing {
     }
   }
 
+  /// Where the rod of joint j's child ends in the reference pose: at the next joint, else at a
+  /// ball, else as far beyond the center of mass as the hinge is before it.
+  static constexpr Vector3 rod_end(std::size_t j) {
+    const Vector3& begin = Model::kJoints[j].anchor;
+    const std::size_t body = body_of(Model::kJoints[j].child);
+    const auto is_apart = [&](const Vector3& end) { return dot(end - begin, end - begin) > 1e-8; };
+    for (const auto& next : Model::kJoints) {
+      if (body_of(next.parent) == body && is_apart(next.anchor)) return next.anchor;
+    }
+    const Vector3& middle = Model::kBodies[body].position;
+    for (const auto& shape : Model::kGeometries) {
+      const Vector3 end = middle + shape.position;
+      if (shape.kind == ShapeKind::sphere && body_of(shape.body) == body && is_apart(end))
+        return end;
+    }
+    return 2.0 * middle - begin;
+  }
   static void add_link(Writer& scene, Simulator& simulator, std::size_t j) {
     const RigidJoint& joint = Model::kJoints[j];
     const std::size_t child = body_of(joint.child);
     if (!is_rod_[child] || has_facets(child)) return;
     const auto state = simulator.state(child);
-    const Vector3 arm = rotate(state.rotation, Model::kBodies[child].position - joint.anchor);
+    const Vector3 end = rod_end(j), middle = 0.5 * (joint.anchor + end);
+    const Vector3 at =
+        state.position + rotate(state.rotation, middle - Model::kBodies[child].position);
+    const Vector3 arm = rotate(state.rotation, end - joint.anchor);
     const double length = eagerx::sqrt(dot(arm, arm));
     const Vector3 d = 1.0 / length * arm;
     // From z to the direction of the arm, the short way.
     const Quaternion turn = d[2] < -0.999999 ? Quaternion{{0.0, 1.0, 0.0, 0.0}}
                                              : normalised({{1.0 + d[2], -d[1], d[0], 0.0}});
-    scene.capsule(pose(state.position, turn), static_cast<float>(kThickness),
-                  static_cast<float>(2.0 * length), colour(child));
+    scene.capsule(pose(at, turn), static_cast<float>(kThickness), static_cast<float>(length),
+                  colour(child));
   }
 
   static constexpr Vector3 origin() {

@@ -69,5 +69,51 @@ TEST(RigidDrawing, FacetsReplaceWhatElseABodyHas) {
   check_drawing<MultibodyScene<Seen>>();
 }
 
+/// A ball on a ground that rises by 0.5 m a metre along x.
+struct OnSlope {
+  using Real = double;
+  static constexpr std::array<RigidBody, 1> kBodies = {
+      {{.name = "ball", .position = {{0.0, 0.0, 5.0}}}}};
+  static constexpr std::array<RigidJoint, 0> kJoints = {};
+  static constexpr std::array<RigidGeometry, 2> kGeometries = {
+      {{.name = "skin", .kind = ShapeKind::sphere, .body = "ball"},
+       {.name = "ground", .kind = ShapeKind::plane}}};
+  static constexpr auto kHeights = [] {
+    HeightField<9, 9> field;
+    field.corner[0] = field.corner[1] = -2.0;
+    field.spacing = 0.5;
+    for (std::size_t i = 0; i < 9; ++i) {
+      for (std::size_t k = 0; k < 9; ++k)
+        field.height[i][k] = 0.25F * (static_cast<float>(i) - 4.0F);
+    }
+    return field;
+  }();
+};
+
+template <class SceneOf>
+void check_heights() {
+  using Io = DrawingIo<typename SceneOf::Simulator>;
+  SceneOf scene;
+  scene.simulator.set_roughness(0.5);
+  scene.reset();
+  Array<float, 8, 16> message{};
+  typename Io::Outputs out{message};
+  RigidDrawing<Io>().callback({0}, {}, out, scene.simulator);
+  std::size_t cells = 0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const SceneRow row = SceneRow::read(&message[16 * i]);
+    EXPECT_NE(row.shape, Shape::plane);
+    if (row.shape != Shape::facet) continue;
+    ++cells;
+    for (std::size_t c = 0; c < 4; ++c)
+      EXPECT_NEAR(row.n[3 * c + 2], 0.25F * row.n[3 * c], 1e-6F) << "z = 0.5·0.5·x";
+  }
+  EXPECT_EQ(cells, 4U) << "a square of what fits beside camera and ball";
+}
+TEST(RigidDrawing, HeightsAreDrawnAsTheyAreSampled) {
+  check_heights<Scene<OnSlope, RigidConfig<20>>>();
+  check_heights<MultibodyScene<OnSlope>>();
+}
+
 }  // namespace
 }  // namespace eagerx::models::testing
