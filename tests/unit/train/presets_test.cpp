@@ -57,7 +57,7 @@ TEST(TrainPresets, SettingsOverrideThemInAnyOrder) {
     const Settings settings = parsed(words).settings;
     EXPECT_EQ(settings.n_epochs, 3);
     EXPECT_EQ(settings.net_arch, std::vector<std::size_t>{32});
-    EXPECT_EQ(settings.n_envs, 512);
+    EXPECT_EQ(settings.n_envs, 1024);
   }
 }
 
