@@ -39,10 +39,10 @@ class DeadZone {
   static_assert(in_order(Io::Config::low, Io::Config::high), "DeadZone: `low` is not above `high`");
 
   using States = typename Io::States;
-  [[no_unique_address]] TunableList < Real, kLow.size(), requires(States s) { s.low; }
-  , 0 > low_{};
-  [[no_unique_address]] TunableList < Real, kHigh.size(), requires(States s) { s.high; }
-  , 1 > high_{};
+  static constexpr bool kTunesLow = requires(States s) { s.low; };
+  static constexpr bool kTunesHigh = requires(States s) { s.high; };
+  [[no_unique_address]] TunableList<Real, kLow.size(), kTunesLow, 0> low_{};
+  [[no_unique_address]] TunableList<Real, kHigh.size(), kTunesHigh, 1> high_{};
 };
 
 }  // namespace eagerx::models

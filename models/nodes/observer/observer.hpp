@@ -46,8 +46,8 @@ class Observer {
   Model model_{};
 
   using States = typename Io::States;
-  [[no_unique_address]] TunableList < Real, kGain.size(), requires(States s) { s.gain; }
-  , 0 > gain_{};
+  static constexpr bool kTunesGain = requires(States s) { s.gain; };
+  [[no_unique_address]] TunableList<Real, kGain.size(), kTunesGain, 0> gain_{};
 };
 
 }  // namespace eagerx::models

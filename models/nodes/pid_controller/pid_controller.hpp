@@ -86,14 +86,14 @@ class PidController {
   Real has_last_{};             // 1 after the first measured
 
   using States = typename Io::States;
-  [[no_unique_address]] Tunable < Real, requires(States s) { s.kp; }
-  , 0 > kp_;
-  [[no_unique_address]] Tunable < Real, requires(States s) { s.ki; }
-  , 1 > ki_;
-  [[no_unique_address]] Tunable < Real, requires(States s) { s.kd; }
-  , 2 > kd_;
-  [[no_unique_address]] Tunable < Real, requires(States s) { s.setpoint; }
-  , 3 > setpoint_;
+  static constexpr bool kTunesKp = requires(States s) { s.kp; };
+  static constexpr bool kTunesKi = requires(States s) { s.ki; };
+  static constexpr bool kTunesKd = requires(States s) { s.kd; };
+  static constexpr bool kTunesSetpoint = requires(States s) { s.setpoint; };
+  [[no_unique_address]] Tunable<Real, kTunesKp, 0> kp_;
+  [[no_unique_address]] Tunable<Real, kTunesKi, 1> ki_;
+  [[no_unique_address]] Tunable<Real, kTunesKd, 2> kd_;
+  [[no_unique_address]] Tunable<Real, kTunesSetpoint, 3> setpoint_;
 };
 
 }  // namespace eagerx::models

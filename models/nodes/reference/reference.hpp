@@ -165,12 +165,12 @@ class Reference {
     return eagerx::sin(Lane(2) * std::numbers::pi_v<Lane> * (phase - eagerx::floor(phase)));
   }
 
-  [[no_unique_address]] Tunable < Real, requires(States s) { s.amplitude; }
-  , 0 > amplitude_;
-  [[no_unique_address]] Tunable < Real, requires(States s) { s.offset; }
-  , 1 > offset_;
-  [[no_unique_address]] Tunable < Real, requires(States s) { s.frequency; }
-  , 2 > frequency_;
+  static constexpr bool kTunesAmplitude = requires(States s) { s.amplitude; };
+  static constexpr bool kTunesOffset = requires(States s) { s.offset; };
+  static constexpr bool kTunesFrequency = requires(States s) { s.frequency; };
+  [[no_unique_address]] Tunable<Real, kTunesAmplitude, 0> amplitude_;
+  [[no_unique_address]] Tunable<Real, kTunesOffset, 1> offset_;
+  [[no_unique_address]] Tunable<Real, kTunesFrequency, 2> frequency_;
 };
 
 }  // namespace eagerx::models

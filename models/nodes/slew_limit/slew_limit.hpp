@@ -77,8 +77,8 @@ class SlewLimit {
   CountOf<Real> limited_{};
 
   using States = typename Io::States;
-  [[no_unique_address]] TunableList < Real, kPerSecond.size(), requires(States s) { s.per_second; }
-  , 0 > per_second_{};
+  static constexpr bool kTunesPerSecond = requires(States s) { s.per_second; };
+  [[no_unique_address]] TunableList<Real, kPerSecond.size(), kTunesPerSecond, 0> per_second_{};
 };
 
 }  // namespace eagerx::models

@@ -68,12 +68,11 @@ class StateFeedback {
   }
 
   using States = typename Io::States;
-  [[no_unique_address]] TunableList < Real, kGain.size(), requires(States s) { s.gain; }
-  , 0 > gain_{};
-  [[no_unique_address]] TunableList < Real, kReferenceGain.size(), requires(States s) {
-    s.reference_gain;
-  }
-  , 1 > reference_gain_{};
+  static constexpr bool kTunesGain = requires(States s) { s.gain; };
+  static constexpr bool kTunesReferenceGain = requires(States s) { s.reference_gain; };
+  [[no_unique_address]] TunableList<Real, kGain.size(), kTunesGain, 0> gain_{};
+  [[no_unique_address]] TunableList<Real, kReferenceGain.size(), kTunesReferenceGain, 1>
+      reference_gain_{};
 };
 
 }  // namespace eagerx::models

@@ -48,8 +48,8 @@ class Sum {
   }
 
   using States = typename Io::States;
-  [[no_unique_address]] TunableList < Real, kGains.size(), requires(States s) { s.gains; }
-  , 0 > gains_{};
+  static constexpr bool kTunesGains = requires(States s) { s.gains; };
+  [[no_unique_address]] TunableList<Real, kGains.size(), kTunesGains, 0> gains_{};
 };
 
 }  // namespace eagerx::models
