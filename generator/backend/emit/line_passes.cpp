@@ -37,8 +37,9 @@ bool opens_function(std::string_view line, std::size_t indent) {
 }
 
 /// Headers of which templates do not know whether they are needed, and names of what is in them.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kNamesOf = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kNamesOf = {
     {{"<array>", "std::array"},
+     {"<cstddef>", "std::size_t"},
      {"<cstdint>", "std::int"},
      {"<cstdint>", "std::uint"},
      {"<limits>", "std::numeric_limits"},

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "generator/backend/emit/line_passes.hpp"
-#include "generator/backend/emit/lists.hpp"
 #include "generator/backend/emit/scanner.hpp"
+#include "generator/backend/emit/wrap_braces.hpp"
 #include "generator/backend/emit/wrap_expression.hpp"
 
 namespace eagerx::gen {
@@ -104,130 +104,6 @@ std::string wrapped_comment(std::string_view line, std::size_t indent) {
   return begin + last;
 }
 
-/// The elements of what opens with the bracket at `brace`; none if it is not closed here.
-std::optional<Braces> braces_at(std::string_view line, std::size_t brace) {
-  Braces result;
-  int depth = 0, outside = 0;
-  std::size_t begin = brace + 1;
-  for (Scanner scan(line); scan.next();) {
-    const std::size_t at = scan.at();
-    if (at < brace) outside = scan.depth();
-    if (at <= brace || scan.in_literal()) continue;
-    depth = scan.depth() - outside;
-    if (line[at] == ',' && depth == 1) {
-      result.elements.push_back(line.substr(begin, at - begin));
-      begin = at + 1;
-      if (begin < line.size() && line[begin] == ' ') ++begin;
-    } else if ((line[at] == '}' || line[at] == ')' || line[at] == '>') && depth == 0) {
-      if (at > begin) result.elements.push_back(line.substr(begin, at - begin));
-      result.head = line.substr(0, brace + 1);
-      result.tail = line.substr(at);
-      return result;
-    }
-  }
-  return std::nullopt;
-}
-
-std::string wrapped_braces(const Braces& braces, std::size_t indent, std::size_t deeper);
-
-/// Elements in lines from column `indent` on: one a line, or as many as fit. Empty if one does not
-/// fit.
-std::string in_lines(const Braces& braces, std::size_t indent, bool one_a_line) {
-  std::string result;
-  std::size_t column = indent;
-  for (std::size_t i = 0; i < braces.elements.size(); ++i) {
-    const bool last = i + 1 == braces.elements.size();
-    const std::size_t size =
-        columns_of(braces.elements[i]) + (last ? columns_of(braces.tail) : std::size_t{1});
-    if (indent + size > kColumns) {
-      const std::string text =
-          std::string(braces.elements[i]) + (last ? std::string(braces.tail) : ",");
-      const std::size_t brace = text.find('{');
-      const auto inner =
-          brace == kNone || one_a_line || i == 0 ? std::nullopt : braces_at(text, brace);
-      if (!last || !inner || inner->elements.empty()) return {};
-      return result + '\n' + wrapped_braces(*inner, indent, indent + 4);
-    }
-    if (i > 0 && (one_a_line || column + 1 + size > kColumns)) {
-      result += '\n' + std::string(indent, ' ');
-      column = indent;
-    } else if (i > 0) {
-      result += ' ';
-      ++column;
-    }
-    result += braces.elements[i];
-    result += last ? braces.tail : std::string_view(",");
-    column += size;
-  }
-  return result;
-}
-
-/// An initializer that is too long, as clang-format breaks it: aligned behind its brace, or, where
-/// that is too narrow, below.
-std::string wrapped_braces(const Braces& braces, std::size_t indent, std::size_t deeper) {
-  if (braces.elements.size() == 1 && braces.elements.front().starts_with('{')) {  // `{{a, b}}`
-    std::string text(braces.head);
-    text += braces.elements.front();
-    text += braces.tail;
-    if (const auto inner = braces_at(text, braces.head.size()); inner && !inner->elements.empty())
-      return wrapped_braces(*inner, indent, deeper);
-  }
-  if (has_columns(braces)) return wrapped_list(braces, indent, deeper);
-  const std::string begin(indent, ' ');
-  const std::size_t aligned = indent + columns_of(braces.head);
-  std::string all;
-  for (const auto& element : braces.elements)
-    all += (all.empty() ? "" : ", ") + std::string(element);
-  all += braces.tail;
-  const bool fits_below = deeper + columns_of(all) <= kColumns;
-  const std::string aside = in_lines(braces, aligned, braces.is_designated());
-  const auto lines = std::ranges::count(aside, '\n') + 1;
-  if (!aside.empty() && !(fits_below && lines > 2)) return begin + std::string(braces.head) + aside;
-  if (braces.elements.size() == 1 && braces.is_designated()) {
-    const std::string_view element = braces.elements.front();
-    const std::size_t value = element.find(" = ");
-    if (value != kNone && element.find('{') == kNone) {
-      const std::string below = std::string(aligned + 4, ' ') +
-                                std::string(element.substr(value + 3)) + std::string(braces.tail);
-      if (columns_of(below) <= kColumns)
-        return begin + std::string(braces.head) + std::string(element.substr(0, value + 2)) + '\n' +
-               below;
-    }
-  }
-  std::string result = begin + std::string(braces.head) + "\n";
-  if (fits_below) return result + std::string(deeper, ' ') + all;
-  for (std::size_t i = 0; i < braces.elements.size(); ++i) {
-    const bool last = i + 1 == braces.elements.size();
-    const std::string line =
-        std::string(braces.elements[i]) + (last ? std::string(braces.tail) : ",");
-    const std::size_t brace = line.find('{');
-    const auto inner = brace == kNone || deeper + columns_of(line) <= kColumns
-                           ? std::nullopt
-                           : braces_at(line, brace);
-    const std::size_t call = line.find('(');
-    if (inner && !inner->elements.empty()) {
-      result += wrapped_braces(*inner, deeper, deeper + 4);
-    } else if (deeper + columns_of(line) > kColumns && call != kNone) {
-      result += std::string(deeper, ' ') + line.substr(0, call + 1) + '\n' +
-                std::string(deeper + 4, ' ') + line.substr(call + 1);
-    } else {
-      result += std::string(deeper, ' ') + line;
-    }
-    if (!last) result += '\n';
-  }
-  return result;
-}
-
-/// Whether each element fits in a line from column `indent` on.
-bool all_fit(const Braces& braces, std::size_t indent) {
-  for (const auto& element : braces.elements) {
-    const bool last = &element == &braces.elements.back();
-    if (indent + columns_of(element) + (last ? columns_of(braces.tail) : 1) > kColumns)
-      return false;
-  }
-  return true;
-}
-
 /// The `(` or `<` that the comma before `at` is in; none if it is in another bracket.
 std::optional<std::size_t> call_around(std::string_view line, std::size_t at) {
   std::vector<std::size_t> open;
@@ -239,6 +115,40 @@ std::optional<std::size_t> call_around(std::string_view line, std::size_t at) {
   }
   if (open.empty() || (line[open.back()] != '(' && line[open.back()] != '<')) return std::nullopt;
   return open.back();
+}
+
+/// Breaks the rest of a statement that is one text, between its words.
+std::string wrapped_text(std::string line, std::size_t indent) {
+  if (line[indent] != '"' || !line.ends_with("\";") ||
+      line.find('"', indent + 1) != line.size() - 2)
+    return line;
+  std::string result;
+  while (columns_of(line) > kColumns) {
+    const std::size_t blank = line.rfind(' ', kColumns - 2);
+    if (blank <= indent) break;
+    result += line.substr(0, blank + 1) + "\"\n";
+    line.replace(0, blank + 1, std::string(indent, ' ') + '"');
+  }
+  return result + line;
+}
+
+/// `a ? b : c;`, the rest of a statement, with the choices in lines of their own; empty if it is
+/// something else.
+std::string wrapped_choice(std::string_view line, std::size_t indent) {
+  std::size_t question = kNone, colon = kNone;
+  for (Scanner scan(line); scan.next();) {
+    if (scan.in_literal() || scan.depth() != 0) continue;
+    const std::string_view rest = line.substr(scan.at());
+    if (rest.starts_with(" ? ")) question = scan.at();
+    if (rest.starts_with(" : ")) colon = scan.at();
+  }
+  if (question == kNone || colon == kNone || colon < question ||
+      columns_of(line.substr(0, question)) > kColumns)
+    return {};
+  const std::string deeper = '\n' + std::string(indent + 4, ' ');
+  return std::string(line.substr(0, question)) + deeper +
+         std::string(line.substr(question + 1, colon - question - 1)) + deeper +
+         std::string(line.substr(colon + 1));
 }
 
 /// Only the beginning of a long line is looked at: some have a million numbers.
@@ -254,8 +164,10 @@ std::string wrapped_code(std::string_view line, std::size_t indent) {
   std::string_view rest = line.substr(indent);
   for (bool continued = false;;) {
     const std::string begin = std::string(indent, ' ') + std::string(rest.substr(0, seen));
-    const Break place =
-        columns_of(begin) > kColumns ? find_break(begin, indent, continued) : Break{};
+    const bool is_long = columns_of(begin) > kColumns;
+    const std::string choice = is_long && continued ? wrapped_choice(begin, indent) : std::string();
+    if (!choice.empty()) return result + choice;
+    const Break place = is_long ? find_break(begin, indent, continued) : Break{};
     if (place.at == kNone) {
       std::size_t call = kNone;
       for (Scanner scan(begin); call == kNone && scan.next();)
@@ -263,7 +175,7 @@ std::string wrapped_code(std::string_view line, std::size_t indent) {
       const bool fits = call != kNone && call < kColumns && rest.size() < seen &&
                         indent + 4 + columns_of(begin.substr(call + 1)) <= kColumns;
       if (columns_of(begin) <= kColumns || !fits)
-        return result + std::string(indent, ' ') + std::string(rest);
+        return result + wrapped_text(std::string(indent, ' ') + std::string(rest), indent);
       return result + begin.substr(0, call + 1) + '\n' + std::string(indent + 4, ' ') +
              begin.substr(call + 1);
     }

@@ -34,6 +34,23 @@ TEST(Wrapped, AnInitializerIsAlignedOrBelow) {
             "  T<U> " + name + "{\n      .low = {{1, 2}}, .high = {{" + kLong + ", 3}}};");
 }
 
+// As clang-format 14 writes them.
+TEST(Wrapped, AListIsAsideOfItsMemberUnlessThatTakesAsManyLines) {
+  const auto zeros = [](int count) {
+    std::string text = "0.0F";
+    for (int i = 1; i < count; ++i) text += ", 0.0F";
+    return text;
+  };
+  const std::string twelve = zeros(12), thirteen = zeros(13);
+  const std::string aside = ",\n                        ", below = ",\n                    ";
+  EXPECT_EQ(wrapped("    return {.target = {{" + zeros(13) + "}}};"),
+            "    return {\n        .target = {{" + thirteen + "}}};");
+  EXPECT_EQ(wrapped("    return {.target = {{" + zeros(18) + "}}};"),
+            "    return {.target = {{" + twelve + aside + zeros(6) + "}}};");
+  EXPECT_EQ(wrapped("    return {.target = {{" + zeros(26) + "}}};"),
+            "    return {\n        .target = {{" + thirteen + below + thirteen + "}}};");
+}
+
 TEST(Wrapped, GroupsAreOneALine) {
   EXPECT_EQ(wrapped("    {1, 2}, {3, 4},  // a\n    {5, 66},  // b\n"),
             "    {1, 2},\n    {3, 4},   // a\n    {5, 66},  // b\n");
@@ -102,9 +119,9 @@ TEST(Wrapped, IncludesAreSortedUnlessOneIsOfC) {
 }
 
 TEST(Wrapped, IncludesThatNothingNeedsAreLeftOut) {
-  EXPECT_EQ(
-      wrapped("#include <array>\n#include <limits>\n#include <span>\n\nstd::array<int, 2> a;\n"),
-      "#include <array>\n#include <span>\n\nstd::array<int, 2> a;\n");
+  EXPECT_EQ(wrapped("#include <array>\n#include <cstddef>\n#include <limits>\n#include <span>\n\n"
+                    "std::array<int, 2> a;\n"),
+            "#include <array>\n#include <span>\n\nstd::array<int, 2> a;\n");
 }
 
 TEST(Wrapped, ShortFunctionsOfClassesAreOneLine) {
@@ -178,6 +195,28 @@ TEST(Wrapped, LiteralsStayWhole) {
             "f(\"" + kLong + "\\\", (\", '\\'',\n  " + kLong + ");");
   const std::string include = "#include <" + kLong + ", " + kLong + ">";
   EXPECT_EQ(wrapped(include), include);
+}
+
+// As clang-format 14 writes it.
+TEST(Wrapped, ATextThatIsAStatementBreaksBetweenWords) {
+  EXPECT_EQ(wrapped("    static constexpr std::string_view joints = \"front_left_coxa "
+                    "front_left_femur front_left_tibia front_right_coxa front_right_femur "
+                    "front_right_tibia middle_left_coxa\";\n"),
+            "    static constexpr std::string_view joints =\n"
+            "        \"front_left_coxa front_left_femur front_left_tibia front_right_coxa "
+            "front_right_femur \"\n"
+            "        \"front_right_tibia middle_left_coxa\";\n");
+}
+
+// As clang-format 14 writes it.
+TEST(Wrapped, AChoiceThatIsTooLongIsThreeLines) {
+  EXPECT_EQ(wrapped("    refused_delays_ += eagerx::DelayQuanta<1, 5000000, 20000000>::accepts("
+                    "robot_position_actuator_action_delay_s_) ? 0U : 1U;\n"),
+            "    refused_delays_ +=\n"
+            "        eagerx::DelayQuanta<1, 5000000, 20000000>::accepts("
+            "robot_position_actuator_action_delay_s_)\n"
+            "            ? 0U\n"
+            "            : 1U;\n");
 }
 
 TEST(Wrapped, ABracketInALiteralIsNoCall) {
