@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/tools/telemetry/read_layout.hpp"
+#include "generator/tools/monitor/telemetry_layout.hpp"
 
 namespace {
 

@@ -17,7 +17,7 @@
 #include <string>
 #include <tuple>
 
-#include "generator/tools/telemetry/read_layout.hpp"
+#include "generator/tools/monitor/telemetry_layout.hpp"
 
 namespace {
 

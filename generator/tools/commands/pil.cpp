@@ -15,7 +15,7 @@
 #include "generator/support/files/paths.hpp"
 #include "generator/support/process/process.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
-#include "generator/tools/pil/recording.hpp"
+#include "generator/tools/trace/pil_recording.hpp"
 
 namespace eagerx::gen {
 namespace {

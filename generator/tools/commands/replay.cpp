@@ -6,7 +6,7 @@
 #include "generator/driver/build/exec.hpp"
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
-#include "generator/tools/replay/compare.hpp"
+#include "generator/tools/trace/compare_logs.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -14,8 +14,8 @@
 #include <utility>
 
 #include "generator/tools/monitor/source.hpp"
+#include "generator/tools/monitor/telemetry_layout.hpp"
 #include "generator/tools/monitor/written_number.hpp"
-#include "generator/tools/telemetry/read_layout.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,7 +1,7 @@
 // Nodes that are cut out of a graph, and what was recorded where they were cut.
 #include "generator/graph/cut/cut.hpp"
 
-#include "generator/tools/pil/recording.hpp"
+#include "generator/tools/trace/pil_recording.hpp"
 #include "tests/unit/stages/graphs.hpp"
 
 namespace eagerx::gen {

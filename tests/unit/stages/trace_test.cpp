@@ -5,9 +5,9 @@
 #include <runtime/host/trace/log_file.hpp>
 
 #include "generator/support/json/json.hpp"
-#include "generator/tools/replay/compare.hpp"
 #include "generator/tools/trace/axis.hpp"
 #include "generator/tools/trace/bytes.hpp"
+#include "generator/tools/trace/compare_logs.hpp"
 #include "generator/tools/trace/convert.hpp"
 #include "generator/tools/trace/plot.hpp"
 #include "generator/tools/trace/timeline.hpp"

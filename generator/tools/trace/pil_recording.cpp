@@ -1,4 +1,4 @@
-#include "generator/tools/pil/recording.hpp"
+#include "generator/tools/trace/pil_recording.hpp"
 
 #include <fmt/format.h>
 

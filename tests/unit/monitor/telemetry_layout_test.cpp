@@ -1,11 +1,12 @@
 // Foreign telemetry.json files.
+#include "generator/tools/monitor/telemetry_layout.hpp"
+
 #include <gtest/gtest.h>
 
 #include <eagerx/version.hpp>
 #include <string>
 
 #include "generator/support/json/json.hpp"
-#include "generator/tools/telemetry/read_layout.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,4 +1,4 @@
-#include "generator/tools/telemetry/read_layout.hpp"
+#include "generator/tools/monitor/telemetry_layout.hpp"
 
 #include <charconv>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "generator/tools/replay/compare.hpp"
+#include "generator/tools/trace/compare_logs.hpp"
 
 #include <fmt/format.h>
 
