@@ -21,8 +21,9 @@ inline constexpr Preset kTrainPresets[] = {
                "initial_std=0.5 min_std=0.1 target_kl=0.02 decay_steps=8000000 "
                "target_success_rate=0.97 eval_interval=25",
      .about = "legged robots whose steps are cheap: few epochs over many environments",
-     .measured = "examples/quadruped_walking, `--steps 26000000`, seeds 1 to 3: 126 to 135 s on two "
-                 "cores (AVX-512); 96.4 to 97.6 % of 1,000 other episodes succeed"},
+     .measured =
+         "examples/quadruped_walking, `--steps 26000000`, seeds 1 to 3: 126 to 135 s on two "
+         "cores (AVX-512); 96.4 to 97.6 % of 1,000 other episodes succeed"},
     {.name = "rare_goal",
      .algorithm = "ppo",
      .values = "n_steps=128",
