@@ -154,6 +154,7 @@ class Cutter {
     for (std::size_t n = 0; n < whole_.nodes.size(); ++n) {
       if (!inside_[n]) continue;
       GraphNode node = whole_.nodes[n];
+      node.entity = renamed(*node.entity);
       node.drawn = node.waits_during_reset = false;
       for (std::size_t i = 0; i < node.inputs.size(); ++i) {
         Input& input = node.inputs[i];
@@ -168,6 +169,22 @@ class Cutter {
       }
       graph_.nodes.push_back(std::move(node));
     }
+  }
+
+  /// A class that is generated for the graph, such as that of a policy, has the name of the library
+  /// instead.
+  const Entity* renamed(const Entity& entity) {
+    const std::string of_whole = "graphs::" + whole_.name + "::";
+    if (!entity.cpp.name.starts_with(of_whole)) return &entity;
+    Entity copy = entity;
+    const auto rename = [&](CppClass& cpp) {
+      cpp.name = "graphs::" + graph_.name + "::" + cpp.name.substr(of_whole.size());
+      cpp.include = graph_.name + cpp.include.substr(whole_.name.size());
+    };
+    rename(copy.cpp);
+    if (copy.vectorized_cpp) rename(*copy.vectorized_cpp);
+    return graph_.cut->generated.emplace_back(std::make_shared<const Entity>(std::move(copy)))
+        .get();
   }
 
   /// Each takes what was sent in the step, so it skips that of the next instant.

@@ -319,6 +319,7 @@ struct CutPort {
 struct Cut {
   std::vector<CutPort> actions, observations;  // in the order of the environment's
   std::shared_ptr<const Entity> port;          // of nodes that take actions at slower rates
+  std::vector<std::shared_ptr<const Entity>> generated;  // whose classes have this graph's name
 };
 
 struct Graph {

@@ -108,7 +108,7 @@ void check_heights() {
     for (std::size_t c = 0; c < 4; ++c)
       EXPECT_NEAR(row.n[3 * c + 2], 0.25F * row.n[3 * c], 1e-6F) << "z = 0.5·0.5·x";
   }
-  EXPECT_EQ(cells, 4U) << "a square of what fits next to camera and ball";
+  EXPECT_EQ(cells, 4U) << "the largest square that fits behind camera and ball";
 }
 TEST(RigidDrawing, HeightsAreDrawnAsTheyAreSampled) {
   check_heights<Scene<OnSlope, RigidConfig<20>>>();
