@@ -24,10 +24,10 @@ void read(const std::string& text) {
       {.name = "speed", .dtype = "float32", .low = {}, .high = {}}};
   description.actions = {{.name = "voltage", .dtype = "float32", .low = {-2}, .high = {2}}};
   sac::Memory memory(3, 1, 16);
-  Sums observations(3), returns(1);
+  Sums observations(3), returns(1), rewards(2);
   sac::Log log;
   try {
-    log = sac::read_log(text, "fuzz", description, 0.99F, memory, observations, returns);
+    log = sac::read_log(text, "fuzz", description, 0.99F, memory, observations, returns, rewards);
   } catch (const Problem&) {
   }
   require(memory.is_whole() && memory.added >= log.transitions);

@@ -327,10 +327,10 @@ inline constexpr Setting kTrainSettings[] = {
      .sb3 = "target_entropy / numbers of an action"},
     {.name = "reward_scale",
      .kind = SettingKind::number,
-     .otherwise = "1",
-     .about =
-         "standard deviation of the returns that critics learn: more is finer, and learned later",
-     .low = 1e-3,
+     .otherwise = "0",
+     .about = "standard deviation of the returns that critics learn: more is finer, and learned "
+              "later; 0: 1 to 10, estimated from the rewards",
+     .low = 0,
      .high = 1e4,
      .algorithm = "sac"},
     {.name = "norm_window_steps",

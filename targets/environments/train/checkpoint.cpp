@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <runtime/host/base/hash.hpp>
+#include <runtime/host/base/number.hpp>
 #include <string_view>
 
 #include "targets/environments/train/bytes.hpp"
@@ -13,7 +15,10 @@ namespace eagerx::train {
 namespace {
 
 constexpr std::string_view kKind = "eagerx-train checkpoint ";
-constexpr std::string_view kFirstLine = "eagerx-train checkpoint 7\n";
+constexpr std::string_view kFirstLine = "eagerx-train checkpoint 8\n";
+/// Of 1.0, from whose networks a training begins. SAC had no `rewards` and no `reward_scale`.
+constexpr std::string_view kFormerLine = "eagerx-train checkpoint 7\n";
+static_assert(kFirstLine.size() == kFormerLine.size());
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
 
 /// The sizes of what it visits.
@@ -44,6 +49,14 @@ void visit_statistics(Visitor& visitor, SomeModel& model) {
   }
 }
 
+template <class Visitor, class SomeModel>
+void visit_rewards(Visitor& visitor, SomeModel& model) {
+  visitor(model.rewards.mean);
+  visitor(model.rewards.squares);
+  visitor(model.rewards.count);
+  visitor(model.reward_scale);
+}
+
 /// All that has a number for each parameter, action or observation.
 template <class Visitor, class SomeModel>
 void visit_model(Visitor& visitor, SomeModel& model) {
@@ -71,7 +84,7 @@ void visit_model(Visitor& visitor, SomeModel& model) {
 }
 
 template <class Visitor, class SomeModel, class SomeProgress>
-void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
+void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed, bool is_former) {
   visitor(progressed.iteration);
   visitor(progressed.succeeded);
   visitor(progressed.curriculum);
@@ -92,6 +105,7 @@ void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
     visitor(model.replayed);
     visitor(model.memory.added);
     visitor(model.memory.rows);
+    if (!is_former) visit_rewards(visitor, model);
   }
 }
 
@@ -105,17 +119,22 @@ std::string_view next_line(std::string_view bytes, std::size_t& position) {
 }
 
 struct Parts {
+  bool is_former = false;
   std::string conditions, interface;
   std::string_view values;
 };
 
-Parts parts_of(std::string_view bytes, const std::string& name) {
+enum class Use : std::uint8_t { resume, begin_from };
+
+Parts parts_of(std::string_view bytes, const std::string& name, Use use) {
   if (!bytes.starts_with(kKind))
     throw Problem(kInputOutput, "`" + name + "` is not a checkpoint", kOwnFile);
-  if (!bytes.starts_with(kFirstLine))
+  const bool is_former = use == Use::begin_from && bytes.starts_with(kFormerLine);
+  if (!is_former && !bytes.starts_with(kFirstLine))
     throw Problem(kInputOutput, "`" + name + "` was written by another version", kOwnFile);
   std::size_t position = kFirstLine.size();
   Parts parts;
+  parts.is_former = is_former;
   parts.conditions = with_new_names(next_line(bytes, position));
   parts.interface = with_new_names(next_line(bytes, position));
   const std::string_view hash = next_line(bytes, position);
@@ -155,9 +174,20 @@ std::vector<Difference> of_settings(std::vector<Difference> all) {
   return all;
 }
 
+/// The setting of a former checkpoint; its default then.
+double former_reward_scale(std::string_view conditions) {
+  constexpr std::string_view kName = "; reward_scale ";
+  const std::size_t begin = conditions.find(kName);
+  double value = 1.0;
+  if (begin == std::string_view::npos) return value;
+  const std::string_view rest = conditions.substr(begin + kName.size());
+  return host::read_number(rest.substr(0, rest.find(';')), value) && value > 0.0 ? value : 1.0;
+}
+
 std::vector<std::size_t> sizes_of(const auto& model) {
   Sizes sizes;
   visit_model(sizes, model);
+  if constexpr (requires { model.rewards; }) visit_rewards(sizes, model);
   return sizes.all;
 }
 
@@ -169,16 +199,22 @@ std::size_t deployed_size(const sac::Model& model) {
   return model.actor.parameters() - last.outputs / 2 * (last.inputs + 1);
 }
 
-void read_values(std::string_view values, const std::string& name, auto& model,
-                 Progressed& progressed) {
+bool has_scale(const Model& /*model*/) {
+  return true;
+}
+bool has_scale(const sac::Model& model) {
+  return std::isfinite(model.reward_scale) && model.reward_scale >= 0.0;
+}
+
+void read_values(const Parts& parts, const std::string& name, auto& model, Progressed& progressed) {
   const auto expected = sizes_of(model);
-  Reader reader(values);
-  visit(reader, model, progressed);
+  Reader reader(parts.values);
+  visit(reader, model, progressed, parts.is_former);
   const std::size_t best = progressed.best.parameters.size();
   const bool fits = sizes_of(model) == expected && progressed.recent.size() <= kRecent &&
                     progressed.curve.size() == progressed.iteration &&
                     progressed.curriculum.began <= progressed.iteration &&
-                    (best == 0 || best == deployed_size(model));
+                    (best == 0 || best == deployed_size(model)) && has_scale(model);
   if (!reader.complete || !fits)
     throw Problem(kInputOutput, "`" + name + "` is not complete", kOwnFile);
 }
@@ -192,7 +228,7 @@ std::string names_and_sizes(const std::vector<Space>& spaces) {
 std::string bytes_of(const std::string& conditions, const std::string& interface, const auto& model,
                      const Progressed& progressed) {
   Writer writer;
-  visit(writer, model, progressed);
+  visit(writer, model, progressed, false);
   return fmt::format("{}{}\n{}\n{:016x}\n", kFirstLine, conditions, interface,
                      host::fnv1a(writer.bytes)) +
          writer.bytes;
@@ -200,21 +236,25 @@ std::string bytes_of(const std::string& conditions, const std::string& interface
 
 void read_own(const std::string& bytes, const std::string& name, const std::string& conditions,
               auto& model, Progressed& progressed) {
-  const Parts parts = parts_of(bytes, name);
+  const Parts parts = parts_of(bytes, name, Use::resume);
   if (parts.conditions != conditions)
     refuse_resumed(name, differences(parts.conditions, conditions));
-  read_values(parts.values, name, model, progressed);
+  read_values(parts, name, model, progressed);
 }
 
 /// Takes what another training with these networks has learnt.
 template <class SomeModel>
 SomeModel learnt_by(const std::string& bytes, const std::string& name, const std::string& interface,
                     SomeModel learnt) {
-  const Parts parts = parts_of(bytes, name);
+  const Parts parts = parts_of(bytes, name, Use::begin_from);
   if (parts.interface != interface)
     refuse_begun_from(name, differences(parts.interface, interface));
   Progressed ignored;
-  read_values(parts.values, name, learnt, ignored);
+  read_values(parts, name, learnt, ignored);
+  if constexpr (requires { learnt.reward_scale; }) {
+    if (parts.is_former && learnt.actor_adam.steps > 0)
+      learnt.reward_scale = learnt.returns.scale(0) * former_reward_scale(parts.conditions);
+  }
   return learnt;
 }
 
@@ -244,14 +284,14 @@ std::string critic_of(const Description& description) {
 }
 
 void check_resumed(const std::string& bytes, const std::string& name, const Settings& settings) {
-  const auto all =
-      of_settings(differences(parts_of(bytes, name).conditions, conditions(settings, {})));
+  const auto all = of_settings(
+      differences(parts_of(bytes, name, Use::resume).conditions, conditions(settings, {})));
   if (!all.empty()) refuse_resumed(name, all);
 }
 
 void check_begun_from(const std::string& bytes, const std::string& name, const Settings& settings) {
-  const auto all =
-      of_settings(differences(parts_of(bytes, name).interface, interface_of(settings, {})));
+  const auto all = of_settings(
+      differences(parts_of(bytes, name, Use::begin_from).interface, interface_of(settings, {})));
   if (!all.empty()) refuse_begun_from(name, all);
 }
 
@@ -303,6 +343,8 @@ void begin_from(const std::string& bytes, const std::string& name, const std::st
   model.log_temperature = std::move(learnt.log_temperature);
   model.observations = std::move(learnt.observations);
   model.returns = std::move(learnt.returns);
+  model.rewards = std::move(learnt.rewards);
+  model.reward_scale = learnt.reward_scale;
   model.was_taught = true;
 }
 

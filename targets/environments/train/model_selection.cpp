@@ -13,6 +13,13 @@ constexpr std::uint64_t kEvaluations = 4;  // of a policy that seems to be the b
 constexpr std::uint64_t kEvaluationSeed = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kLastSeed = kEvaluationSeed + (std::uint64_t{1} << 62U);
 
+/// Samples that an iteration learns from, each of which takes longer than a step of an evaluation.
+double samples_of(const Settings& settings) {
+  if (settings.algorithm != "sac") return 0.0;
+  const sac::Settings& s = settings.sac;
+  return static_cast<double>(s.n_envs * s.train_freq * s.batch_size) * double{s.utd_ratio};
+}
+
 }  // namespace
 
 ModelSelection::ModelSelection(const Settings& settings, const Library& library,
@@ -25,6 +32,8 @@ ModelSelection::ModelSelection(const Settings& settings, const Library& library,
                std::max(library.description().episode_steps, longest_of(library.description()))),
       has_success_(library.description().has_success),
       has_aim_(has_success_ || std::isfinite(until_return_)),
+      is_cheap_(has_aim_ && samples_of(settings) >= longest_),
+      first_(static_cast<double>(settings.sac.learning_starts)),
       head_(library.description()),
       evaluator_(library, kernels, pool, longest_of(library.description()),
                  settings.n_eval_episodes, ranks) {}
@@ -48,10 +57,13 @@ bool ModelSelection::is_worth_choosing(const Evaluation& evaluation) const {
 bool ModelSelection::is_due(const std::vector<CurvePoint>& curve) const {
   constexpr double kLate = 0.05;  // of all steps
   const auto is_evaluated = [](const CurvePoint& x) { return !std::isnan(x.evaluation_return); };
-  if (curve.empty() || curve.size() % every_ != 0 || is_evaluated(curve.back())) return false;
+  if (curve.empty() || is_evaluated(curve.back())) return false;
+  const bool is_regular = curve.size() % every_ == 0;
+  if (!is_regular && (!is_cheap_ || curve.back().steps <= first_)) return false;
   const auto last = std::find_if(curve.rbegin(), curve.rend(), is_evaluated);
   const double since = curve.back().steps - (last == curve.rend() ? 0.0 : last->steps);
-  return since >= std::min(longest_, kLate * curve.back().steps);
+  const double late = kLate * curve.back().steps;
+  return since >= (is_regular ? std::min(longest_, late) : late);
 }
 
 std::size_t ModelSelection::episodes_at_last() const {

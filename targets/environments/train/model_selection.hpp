@@ -52,6 +52,8 @@ class ModelSelection {
   const double longest_;        // steps of an evaluation, at most
   const bool has_success_;      // the task says it
   const bool has_aim_;
+  const bool is_cheap_;  // an evaluation, compared with learning
+  const double first_;   // steps before anything is learned
   const Head head_;
   Evaluator evaluator_;
   Evaluation seen_;

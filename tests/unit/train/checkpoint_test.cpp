@@ -97,7 +97,7 @@ TEST_F(TrainCheckpoint, ATruthValueThatIsNoneIsRefused) {
 
 /// Begins from a checkpoint of tests/data/stability, which every later version reads.
 template <class SomeModel>
-void expect_networks_in(const std::string& name, const Settings& settings) {
+SomeModel expect_networks_in(const std::string& name, const Settings& settings) {
   Description description;
   for (const char* const channel : {"angle", "speed"})
     description.observations.push_back(
@@ -112,6 +112,7 @@ void expect_networks_in(const std::string& name, const Settings& settings) {
   EXPECT_NE(model.actor_parameters, random);
   EXPECT_TRUE(
       std::ranges::all_of(model.actor_parameters, [](float x) { return std::isfinite(x); }));
+  return model;
 }
 
 Settings of_corpus() {
@@ -135,7 +136,9 @@ TEST(Stability, ReadsTheCheckpointOfSacOfAnEarlierVersion) {
   Settings settings = of_corpus();
   settings.algorithm = "sac";
   settings.sac.buffer_size = 1000;
-  expect_networks_in<sac::Model>("sac.checkpoint", settings);
+  const auto model = expect_networks_in<sac::Model>("sac.checkpoint", settings);
+  EXPECT_EQ(model.reward_scale, model.returns.scale(0)) << "what its critics have learned";
+  EXPECT_NE(model.reward_scale, 1.0);
 }
 
 }  // namespace

@@ -58,6 +58,22 @@ TEST(TrainModelSelection, EvaluationsTakeNoMoreStepsThanLearningOrAreAtMostATwen
   EXPECT_EQ(all[all.size() - 1] - all[all.size() - 2], std::ceil(kEvaluation / kFive) * kFive);
 }
 
+TEST(TrainModelSelection, SacIsEvaluatedAtMostATwentiethLate) {
+  Settings settings;
+  settings.algorithm = "sac";
+  constexpr double kSteps = 512;
+  const std::vector<double> all = due(settings, kSteps, 200);
+  EXPECT_EQ(all.front(), 2 * kSteps) << "the first updates were made after 1,000 steps";
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const double since = all[i] - all[i - 1];
+    EXPECT_LT(since, std::max(kSteps, all[i] / 20.0) + kSteps) << all[i];
+    EXPECT_TRUE(since == kSteps || all[i] > 20 * kSteps) << all[i];
+  }
+  settings.sac.utd_ratio =
+      0.1F;  // 6,554 samples of an iteration, and 15,000 steps of an evaluation
+  EXPECT_EQ(due(settings, kSteps, 10), (std::vector<double>{5 * kSteps, 10 * kSteps}));
+}
+
 /// Files of a training that ends at this share of successes.
 Progressed trained(double share, std::uint64_t iterations) {
   const TestFolder folder;

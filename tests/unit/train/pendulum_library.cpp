@@ -128,6 +128,12 @@ bool breaks(const Pendulum& one, std::uint32_t evaluations) {
   return one.seed < kEvaluation && one.episode == kEpisode;
 }
 
+/// Of the reward.
+float unit() {
+  const char* const text = std::getenv("EAGERX_TEST_UNIT");
+  return text == nullptr ? 1.0F : std::strtof(text, nullptr);
+}
+
 template <class T>
 void put(T* rows, std::size_t i, T value) {
   if (rows != nullptr) rows[i] = value;
@@ -200,6 +206,7 @@ int eagerx_set_states(eagerx_environments* environments, const uint8_t* mask, co
 }
 int eagerx_step(eagerx_environments* environments, const float* action, const eagerx_rows* rows) {
   bool is_finite = true;
+  const float factor = unit();
   for (std::size_t i = 0; i < environments->all.size(); ++i) {
     Pendulum& one = environments->all[i];
     if (one.ended) {  // EAGERX_DISABLED
@@ -219,7 +226,7 @@ int eagerx_step(eagerx_environments* environments, const float* action, const ea
     const float terms[] = {-error * error, -0.1F * slow * slow, -0.001F * voltage * voltage};
     one.upright = eagerx::abs(error) < 0.15F ? one.upright + 1 : 0;
     one.ended = one.step == kSteps;
-    put(rows->reward, i, terms[0] + terms[1] + terms[2]);
+    put(rows->reward, i, factor * (terms[0] + terms[1] + terms[2]));
     put<std::uint8_t>(rows->terminated, i, 0);
     put<std::uint8_t>(rows->truncated, i, one.ended ? 1 : 0);
     put<std::uint8_t>(rows->success, i, one.upright >= kStillSteps ? 1 : 0);

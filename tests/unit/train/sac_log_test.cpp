@@ -19,14 +19,14 @@ Description pendulum_description() {
 
 struct ReadLog {
   sac::Memory memory{3, 1, 100};
-  Sums observations{3}, returns{1};
+  Sums observations{3}, returns{1}, rewards{2};
   sac::Log log;
   std::string problem;
 
   explicit ReadLog(const std::string& text) {
     try {
       log = sac::read_log(text, "run.csv", pendulum_description(), 0.5F, memory, observations,
-                          returns);
+                          returns, rewards);
     } catch (const Problem& what) {
       problem = what.what();
     }
@@ -52,6 +52,8 @@ TEST(TrainSacLog, RowsBecomeTransitions) {
   EXPECT_EQ(fell.continues, 0.0F);
   EXPECT_EQ(read.observations.count, 5);
   EXPECT_EQ(read.returns.sum[0], -2.0 + (-2.0 * 0.5 - 3.0) - 10.0);
+  EXPECT_EQ(read.rewards.count, 3);
+  EXPECT_EQ(read.rewards.sum, (std::vector<double>{-2.0 - 3.0 - 10.0, 2.0}));
 }
 
 TEST(TrainSacLog, StepsThatLackNumbersAreLeftOut) {

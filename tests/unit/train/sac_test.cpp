@@ -161,7 +161,7 @@ float temperature_for(float entropy, const Library& library) {
   sac::Sac sac(settings, library, *kernels_here().back(), pool, 0);
   sac.begin_era();
   sac.iterate();
-  const auto scale = static_cast<float>(sac.model().returns.scale(0));
+  const auto scale = static_cast<float>(sac.model().reward_scale);
   return exp(sac.model().log_temperature.front()) / scale;
 }
 
@@ -182,7 +182,7 @@ Simd value(const sac::Model& model, std::size_t critic) {
   row[model.actor.inputs()] = {{0.5F}};
   model.critic.forward(*kernels_here().back(), model.critics[critic].parameters.data(), row.data());
   Simd answer = row[model.critic.output()];
-  for (float& x : answer.lane) x /= static_cast<float>(model.returns.scale(0));
+  for (float& x : answer.lane) x /= static_cast<float>(model.reward_scale);
   return answer;
 }
 
@@ -203,7 +203,7 @@ void expect_that_answers_stay(double scale_steps) {
   sac.iterate();
   const sac::Model& after = sac.model();
   ASSERT_EQ(after.actor_adam.steps, 1U);
-  ASSERT_GT(std::fabs(after.returns.scale(0) / before.returns.scale(0) - 1.0), 0.01);
+  ASSERT_GT(std::fabs(after.reward_scale / before.reward_scale - 1.0), 0.01);
   ASSERT_GT(std::fabs(after.observations.mean[2] - before.observations.mean[2]), 1e-4);
   for (std::size_t c = 0; c < 2; ++c) {
     const Simd old = value(before, c), now = value(after, c);
@@ -211,7 +211,7 @@ void expect_that_answers_stay(double scale_steps) {
       EXPECT_NEAR(now.lane[l], old.lane[l], 1e-4 + 1e-3 * std::fabs(old.lane[l]));
   }
   const auto weight = [](const sac::Model& model) {
-    return std::exp(double{model.log_temperature.front()}) / model.returns.scale(0);
+    return std::exp(double{model.log_temperature.front()}) / model.reward_scale;
   };
   EXPECT_NEAR(weight(after) / weight(before), 1.0, 1e-4);
   const std::vector<float> now = sac.deployed_parameters();
@@ -241,7 +241,8 @@ TEST_F(TrainSac, ScalesForgetWhatWasLongAgo) {
   EXPECT_GT(last.scale(0), 0.5);          // each time a third of it is left: 10,000 / 3⁸ = 1.5
 }
 
-/// Mean size of what a critic says where it learns the next reward alone, with this reward_scale.
+/// Mean size of what a critic says where it learns the next reward alone, with this reward_scale,
+/// in deviations of the returns.
 float mean_value(float reward_scale) {
   train::Settings settings;
   settings.net_arch = {8};
@@ -253,7 +254,9 @@ float mean_value(float reward_scale) {
   sac::Sac sac(settings, pendulum(), *kernels_here().back(), pool, 0);
   sac.begin_era();
   for (int i = 0; i < 3; ++i) sac.iterate();
-  const Simd said = value(sac.model(), 0);
+  Simd said = value(sac.model(), 0);
+  const double scale = sac.model().reward_scale / sac.model().returns.scale(0);
+  for (float& x : said.lane) x *= static_cast<float>(scale);
   float sum = 0.0F;
   for (const float x : said.lane) sum += std::fabs(x) / static_cast<float>(kLanes);
   return sum;
@@ -263,6 +266,65 @@ TEST_F(TrainSac, CriticsLearnScaledRewards) {
   const float plain = mean_value(1.0F);
   EXPECT_GT(mean_value(8.0F), 6.0F * plain);
   EXPECT_LT(mean_value(8.0F), 10.0F * plain);
+}
+
+/// The scale that is estimated where the rewards are ±1, the returns 0 ± `deviation`, and this
+/// share of the steps ends the task.
+double scale_for(double deviation, double ends = 0.0, float reward_scale = 0.0F) {
+  train::Settings settings;
+  settings.sac.reward_scale = reward_scale;
+  settings.net_arch = {8};
+  sac::Model model(settings, 3, Head(pendulum().description()));
+  Sums returns(1), rewards(2);
+  constexpr int kSteps = 1000;
+  for (int i = 0; i < kSteps; ++i) {
+    const double sign = i % 2 == 0 ? 1.0 : -1.0;
+    returns.add(0, sign * deviation);
+    rewards.add(0, sign);
+    rewards.add(1, i < ends * kSteps ? 0.0 : 1.0);
+  }
+  returns.count = rewards.count = kSteps;
+  model.returns.add(returns);
+  model.rewards.add(rewards);
+  return model.estimated_scale();
+}
+
+TEST_F(TrainSac, CriticsAreFinerWhereReturnsVaryMoreThanIndependentErrors) {
+  EXPECT_NEAR(scale_for(5.0), 1.0 / 5.0, 1e-6);
+  EXPECT_NEAR(scale_for(10.0), 1.0 / 10.0, 1e-6) << "100 steps of ±1";
+  EXPECT_NEAR(scale_for(20.0), 4.0 / 20.0, 1e-6) << "four times that variance";
+  const double ends = 0.99 * 0.99 * 0.002 * (1.0 - 0.002) * 30.0 * 30.0;  // γ² V[Γ] E[G²]
+  EXPECT_NEAR(scale_for(30.0, 0.002), 9.0 / (1.0 + ends) / 30.0, 1e-6);
+  EXPECT_NEAR(scale_for(1000.0), 10.0 / 1000.0, 1e-6) << "not more than ten times";
+  EXPECT_NEAR(scale_for(20.0, 0.0, 3.0F), 3.0 / 20.0, 1e-6) << "as `reward_scale` says";
+}
+
+/// What is learned with rewards of another unit.
+class Unit {
+ public:
+  explicit Unit(const char* factor) { setenv("EAGERX_TEST_UNIT", factor, 1); }
+  Unit(const Unit&) = delete;
+  Unit& operator=(const Unit&) = delete;
+  ~Unit() { unsetenv("EAGERX_TEST_UNIT"); }
+};
+
+TEST_F(TrainSac, TheUnitOfTheRewardDoesNotMatter) {
+  const auto trained_in = [&](const char* unit) {
+    const Unit scoped(unit);
+    const Options options = quick(8);
+    Training training(options, pendulum());
+    training.run(never);
+    return std::pair{read_file(options.output), training.evaluation().mean_return};
+  };
+  const auto [policy, mean_return] = trained_in("1");
+  const auto [same, more] = trained_in("128");
+  EXPECT_EQ(same, policy) << "a power of two is exact";
+  EXPECT_EQ(more, 128.0 * mean_return);
+  for (const char* const unit : {"100", "0.01"}) {
+    const double factor = std::stod(unit);
+    EXPECT_NEAR(trained_in(unit).second / factor, mean_return, 0.02 * std::fabs(mean_return))
+        << unit;
+  }
 }
 
 TEST_F(TrainSac, ChoicesAreRefused) {

@@ -12,6 +12,7 @@ Collector::Collector(const train::Settings& settings, const Library& library, st
     : observation_sums(library.description().observation_numbers() +
                        library.description().critic_numbers()),
       return_sums(1),
+      reward_sums(2),
       settings_(settings),
       head_(library.description()),
       environments_(library.functions(), static_cast<std::uint32_t>(settings.sac.n_envs), 0,
@@ -105,6 +106,8 @@ bool Collector::count_reward(std::size_t environment) {
   return_[e] += rows_.reward[e];
   discounted_[e] = discounted_[e] * settings_.gamma + rows_.reward[e];
   return_sums.add(0, discounted_[e]);
+  reward_sums.add(0, rows_.reward[e]);
+  reward_sums.add(1, rows_.terminated[e] != 0 ? 0.0 : 1.0);
   if (!ended) return false;
   episodes.push_back({return_[e], 0, rows_.success[e] != 0 ? 1U : 0U});
   return_[e] = 0.0;
@@ -132,6 +135,7 @@ void Collector::sum_observations() {
   }
   observation_sums.count += static_cast<double>(count_);
   return_sums.count += static_cast<double>(count_);
+  reward_sums.count += static_cast<double>(count_);
 }
 
 }  // namespace eagerx::train::sac

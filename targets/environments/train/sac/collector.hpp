@@ -32,6 +32,7 @@ class Collector {
   void step_again(const Memory& memory, std::size_t back);
 
   Sums observation_sums, return_sums;
+  Sums reward_sums;               // of a step: the reward, and 1 until the task is terminated
   std::vector<Episode> episodes;  // that ended, in order of time
   Spent spent;                    // by all steps
 

@@ -152,7 +152,7 @@ void add_row(Sums& sums, const std::vector<float>& row) {
 }  // namespace
 
 Log read_log(std::string_view text, const std::string& name, const Description& description,
-             float discount, Memory& memory, Sums& observations, Sums& returns) {
+             float discount, Memory& memory, Sums& observations, Sums& returns, Sums& rewards) {
   Table table(text, name, description);
   Log log;
   std::vector<float> before;  // empty: there is none
@@ -170,6 +170,7 @@ Log read_log(std::string_view text, const std::string& name, const Description& 
                   table.terminated ? 0.0F : 1.0F});
       discounted = discounted * discount + table.reward;
       add_row(returns, {discounted});
+      add_row(rewards, {table.reward, table.terminated ? 0.0F : 1.0F});
       ++log.transitions;
     } else if (!begins) {
       ++log.left_out;

@@ -38,23 +38,28 @@ struct Model {
         temperature_adam(1),
         observations(inputs + more),
         returns(1),
+        rewards(2),
         memory(inputs + more, head.numbers, settings.sac.buffer_size),
+        gamma_(settings.gamma),
         settings_(settings.sac) {}
 
   Network actor;   // means of the actions before tanh, then what becomes their deviations
-  Network critic;  // of what it sees, then actions: the discounted return, divided by the deviation
-                   // of returns
+  Network critic;  // of what it sees, then actions: the discounted return times reward_scale
   std::vector<float> actor_parameters;
   std::vector<float> averaged;  // running mean of actor_parameters: the policy
   std::array<Critic, 2> critics;
   std::vector<float> log_temperature;  // [1]
   Adam actor_adam, temperature_adam;
-  Statistics observations;  // [of what the critics see], those of the actor first
-  Statistics returns;       // [1] discounted, while they run
+  Statistics observations;    // [of what the critics see], those of the actor first
+  Statistics returns;         // [1] discounted, while they run
+  Statistics rewards;         // [2] of a step: the reward, and 1 until the task is terminated
+  double reward_scale = 0.0;  // of the rewards that the critics have learned; 0: of none yet
   Memory memory;
   bool was_taught = false;     // it began with what another training had learnt, or with logs
   std::uint64_t replayed = 0;  // transitions of logs
 
+  /// The factor of the rewards that the critics are to learn, from what was seen so far.
+  double estimated_scale() const;
   /// Updates that there should have been by now.
   std::uint64_t due() const {
     if (memory.added < settings_.learning_starts) return 0;
@@ -74,6 +79,7 @@ struct Model {
     return {{settings.seed, 0, 0}, entity_id(name)};
   }
 
+  double gamma_;
   Settings settings_;
 };
 

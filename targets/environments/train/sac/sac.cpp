@@ -59,6 +59,7 @@ Algorithm::Result Sac::iterate() {
   collector_.episodes.clear();
   collector_.observation_sums.clear();
   collector_.return_sums.clear();
+  collector_.reward_sums.clear();
   const Normaliser normaliser(model_.observations);
   const std::uint64_t updates = model_.actor_adam.steps;
   for (std::size_t t = 0; t < settings_.sac.train_freq; ++t) {
@@ -77,16 +78,19 @@ Algorithm::Result Sac::iterate() {
 /// Converts the networks from the previous scales to the new ones. Rewards have
 /// another scale, and so have the critics' answers and the weight of the entropy.
 void Sac::see() {
-  const double scale = model_.returns.scale(0);
+  const double scale = model_.reward_scale;
   const Statistics before = model_.observations;
   if (settings_.sac.norm_window_steps > 0.0) {
     model_.returns.forget_beyond(settings_.sac.norm_window_steps);
+    model_.rewards.forget_beyond(settings_.sac.norm_window_steps);
     model_.observations.forget_beyond(settings_.sac.norm_window_steps);
   }
   model_.returns.add(collector_.return_sums);
+  model_.rewards.add(collector_.reward_sums);
   if (settings_.norm_obs) model_.observations.add(collector_.observation_sums);
-  if (model_.actor_adam.steps == 0) return;
-  const auto ratio = static_cast<float>(model_.returns.scale(0) / scale);
+  if (scale == 0.0) return;
+  model_.reward_scale = model_.estimated_scale();
+  const auto ratio = static_cast<float>(model_.reward_scale / scale);
   const Network::Layer& last = model_.critic.layers().back();
   for (Critic& critic : model_.critics) {
     for (auto* parameters : {&critic.parameters, &critic.target}) {
@@ -110,20 +114,24 @@ void Sac::average() {
 
 void Sac::update(const Normaliser& normaliser) {
   const auto number = static_cast<std::uint32_t>(model_.actor_adam.steps);
+  if (model_.reward_scale == 0.0) model_.reward_scale = model_.estimated_scale();
   const Frozen frozen{kernels_,
                       settings_,
                       model_,
                       normaliser,
-                      static_cast<float>(model_.returns.scale(0)) * settings_.sac.reward_scale,
+                      static_cast<float>(model_.reward_scale),
                       exp(model_.log_temperature.front())};
+  const bool is_alone = pool_.size() == 1;  // one clock for all parts, because each costs 1 %
+  Stopwatch watch;
   pool_.run_parts(kParts, [&](std::size_t part) {
     const Random random({settings_.seed, static_cast<std::uint32_t>(part), number},
                         entity_id("train/batch"));
-    const Stopwatch watch;
+    if (is_alone) return learners_[part]->learn(frozen, random);
+    const Stopwatch own;
     learners_[part]->learn(frozen, random);
-    learning_s_[part] += watch.seconds();
+    learning_s_[part] += own.seconds();
   });
-  const Stopwatch watch;
+  if (!is_alone) watch = Stopwatch();
   done_.samples += settings_.sac.batch_size;
   Gradient& sum = learners_.front()->gradient;
   for (std::size_t part = 1; part < kParts; ++part) sum.add(kernels_, learners_[part]->gradient);
@@ -179,13 +187,14 @@ std::string Sac::replay(const std::string& text, const std::string& name) {
         kUsage, fmt::format("`{}` does not say what the critic sees: `critic:` of the task", name),
         "leave out `critic:`, or `--replay`");
   }
-  Sums observations(model_.actor.inputs()), returns(1);
-  const Log log =
-      read_log(text, name, description_, settings_.gamma, model_.memory, observations, returns);
+  Sums observations(model_.actor.inputs()), returns(1), rewards(2);
+  const Log log = read_log(text, name, description_, settings_.gamma, model_.memory, observations,
+                           returns, rewards);
   if (log.transitions == 0)
     throw Problem(kInputOutput, fmt::format("`{}` has no step that can be learnt from", name));
   if (settings_.norm_obs) model_.observations.add(observations);
   model_.returns.add(returns);
+  model_.rewards.add(rewards);
   model_.replayed += log.transitions;
   model_.was_taught = true;
   std::string said = fmt::format("{} steps of {}", log.transitions, name);
