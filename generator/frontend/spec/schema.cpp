@@ -145,7 +145,11 @@ Json taken_needs(Json& schema) {
 
 Json with_extending(Json graph) {
   Json needs = taken_needs(graph);
-  Json parts = {{"engine", taken_needs(graph["properties"]["engine"])}};
+  Json parts = Json::object();
+  for (JsonMember& section : *std::get_if<Json::Object>(&graph["properties"].value)) {
+    if (Json part = taken_needs(section.value); !part.as<Json::Object>()->empty())
+      parts[section.name] = std::move(part);
+  }
   for (const char* entities : {"objects", "nodes"})
     parts[entities] = Json{{"additionalProperties",
                             taken_needs(graph["properties"][entities]["additionalProperties"])}};

@@ -12,7 +12,7 @@ namespace eagerx::gen {
 Json schema_of(const Format& format);
 
 /// The schema of graphs in which a graph with `extends:` may omit required keys: those of the
-/// graph, of its engine, and of each object and node.
+/// graph, of each of its sections, such as `engine` and `task`, and of each object and node.
 Json with_extending(Json graph);
 
 /// With the header of a separate file.
