@@ -56,10 +56,23 @@ inline void follow_joint(const Link& link, const Real& q, const Real& v, Placed<
   at.spin = at.spin + axis * v;
 }
 
+/// The most links from the base to a body: the limit of the loops in placed().
+template <class Model>
+inline constexpr std::size_t kDepth = [] {
+  constexpr auto& kLinks = kTree<Model>.links;
+  std::size_t most = 0;
+  for (std::size_t l = 0; l < kLinks.size(); ++l) {
+    std::size_t depth = 1;
+    for (std::size_t at = l; kLinks[at].parent != kNone; at = kLinks[at].parent) ++depth;
+    most = depth > most ? depth : most;
+  }
+  return most;
+}();
+
 template <class Model, class Real = typename Model::Real>
 Placed<Real> placed(const Motion<Model>& motion, std::size_t body) {
   constexpr auto& kLinks = kTree<Model>.links;
-  constexpr std::size_t kMost = kLinks.size() + 1;
+  constexpr std::size_t kMost = at_least_one(kDepth<Model>);
   std::array<std::size_t, kMost> path{};
   std::uint32_t length = 0;
   std::size_t l = kTree<Model>.link_of_body[body];
