@@ -11,3 +11,6 @@ if(EAGERX_MPI)
   add_test(NAME train.mpi COMMAND ${CMAKE_CURRENT_LIST_DIR}/mpi ${PROJECT_BINARY_DIR})
   set_tests_properties(train.mpi PROPERTIES PROCESSORS 2)
 endif()
+# The same policy for all numbers of threads and instruction sets.
+add_test(NAME train.bits COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/bits $<TARGET_FILE:eagerx-train>
+                                 $<TARGET_FILE:test_train_pendulum>)
