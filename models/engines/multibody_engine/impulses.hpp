@@ -45,19 +45,21 @@ class Impulses {
   template <std::size_t g>
   using LimbOf = Limb<Model, g, kFloating>;
   static constexpr bool kMimicking = count_mimics<Model>() > 0;
-  /// The torque that limits a joint's speed considers the joint alone. If other links drive it
-  /// faster, an impulse stops it at this speed.
-  static constexpr double kCut = 1.25;  // of the limit
-  static constexpr auto kFastest = [] {
-    std::array<Lane, at_least_one(State::kLinks)> fastest{};
+  /// The torque that limits a joint's speed considers the joint alone. If others drive it beyond
+  /// this multiple of its limit, the step is solved again with the joint held at its limit.
+  static constexpr double kMostSpeed = 1.25;
+  static constexpr auto kSpeedLimits = [] {
+    std::array<Lane, at_least_one(State::kLinks)> limits{};
     for (std::size_t l = 0; l < State::kLinks; ++l)
-      fastest[l] =
-          static_cast<Lane>(kCut * Model::kJoints[kTree<Model>.links[l].joint].max_velocity);
-    return fastest;
+      limits[l] = static_cast<Lane>(Model::kJoints[kTree<Model>.links[l].joint].max_velocity);
+    return limits;
   }();
-  static constexpr bool kHasFastest = [] {
+  static Real most_speed(std::size_t link) {
+    return Real(static_cast<Lane>(kMostSpeed) * kSpeedLimits[link]);
+  }
+  static constexpr bool kLimitsSpeeds = [] {
     for (std::size_t l = 0; l < State::kLinks; ++l) {
-      if (kFastest[l] < std::numeric_limits<Lane>::infinity()) return true;
+      if (kSpeedLimits[l] < std::numeric_limits<Lane>::infinity()) return true;
     }
     return false;
   }();
@@ -73,60 +75,32 @@ class Impulses {
     return static_cast<GroupRecords<Model, g>&>(records_).limb;
   }
   // ---- limits of speed
-  static Real fastest(std::size_t link) { return Real(kFastest[link]); }
   [[gnu::always_inline]] Real next_velocity(std::size_t link) const {
     return state_.v[link] + Real(settings_.dt) * acceleration[link];
   }
-  [[gnu::always_inline]] void limit_speeds() {
-    auto some = eagerx::abs(next_velocity(0)) > fastest(0);
-    for (std::size_t l = 1; l < State::kLinks; ++l)
-      some = some || eagerx::abs(next_velocity(l)) > fastest(l);
-    if (any(some)) stop_the_fastest();
+  [[gnu::always_inline]] static Real within(const Real& velocity, const Real& most) {
+    return eagerx::max(-most, eagerx::min(velocity, most));
   }
-  /// Joint by joint, twice: as impulses of contacts, but there is nearly never one.
-  [[gnu::noinline]] void stop_the_fastest() {
-#pragma GCC unroll 1
-    for (int pass = 0; pass < 2; ++pass) {
-      each_limb([&]<std::size_t g>(std::size_t k, auto& record) __attribute__((always_inline)) {
-#pragma GCC unroll 1
-        for (std::size_t j = 0; j < LimbOf<g>::n; ++j) {
-          const std::size_t index = GroupOf<Model, g>::index(k, j);
-          const auto beyond = eagerx::abs(next_velocity(index)) > fastest(index);
-          if (any(beyond)) push_joint<g>(k, j, record, beyond);
-        }
-      });
-    }
-  }
-  /// An impulse on a joint, and its effect on all others: a column of the inverse mass matrix.
-  template <std::size_t g, class Record, class Truth>
-  [[gnu::noinline]] void push_joint(std::size_t k, std::size_t joint, const Record& record,
-                                    const Truth& beyond) {
+  /// Holds joints that would be too fast at the end of the step; whether there are new ones.
+  [[gnu::noinline]] bool hold_the_fastest() {
     const Real zero(Lane(0));
-    Real row[LimbOf<g>::n], base[6], column[at_least_one(State::kLinks)];
-    for (auto& element : row) element = zero;
-    for (auto& element : base) element = zero;
-    row[joint] = Real(Lane(1));
-    LimbOf<g>::reduce(record, row, base);
-    if constexpr (kFloating) solve_base(base);
-    const std::size_t pushed = GroupOf<Model, g>::index(k, 0);
-    each_limb([&]<std::size_t h>(std::size_t limb, auto& other) __attribute__((always_inline)) {
-      const std::size_t first = GroupOf<Model, h>::index(limb, 0);
-      Real along[LimbOf<h>::n];
-      for (std::size_t j = 0; j < LimbOf<h>::n; ++j)
-        along[j] = first == pushed ? row[first == pushed ? j : 0] * other.inverse[j] : zero;
-      LimbOf<h>::substitute(other, base, along);
-      for (std::size_t j = 0; j < LimbOf<h>::n; ++j) column[first + j] = along[j];
-    });
-    const std::size_t index = pushed + joint;
-    const Real velocity = next_velocity(index), most = fastest(index);
-    const Real end = eagerx::max(-most, eagerx::min(velocity, most));
-    const Real impulse = (end - velocity) / (Real(settings_.dt) * column[index]);
-    for (std::size_t l = 0; l < State::kLinks; ++l)
+    auto some = zero > zero;
+    for (std::size_t l = 0; l < State::kLinks; ++l) {
+      const Real velocity = next_velocity(l);
+      const auto beyond = held_[l] == zero && eagerx::abs(velocity) > most_speed(l);
+      held_[l] = eagerx::select(beyond, within(velocity, Real(kSpeedLimits[l])), held_[l]);
+      some = some || beyond;
+    }
+    return any(some);
+  }
+  /// Joints that are still too fast lose the rest, whatever that does to momentum.
+  [[gnu::noinline]] void cut_speeds() {
+    const Real per_step(Lane(1) / settings_.dt);
+    for (std::size_t l = 0; l < State::kLinks; ++l) {
+      const Real velocity = next_velocity(l), end = within(velocity, most_speed(l));
       acceleration[l] =
-          eagerx::select(beyond, acceleration[l] + column[l] * impulse, acceleration[l]);
-    for (std::size_t b = 0; kFloating && b < 6; ++b)
-      base_acceleration[b] =
-          eagerx::select(beyond, base_acceleration[b] + base[b] * impulse, base_acceleration[b]);
+          eagerx::select(velocity != end, (end - state_.v[l]) * per_step, acceleration[l]);
+    }
   }
   /// The base's motion of a row.
   [[gnu::always_inline]] void solve_base(Real (&row)[6]) const {
@@ -214,6 +188,8 @@ class Impulses {
   BaseEquation<Real> equation_;
   Real base_inverse_[6], base_pushed_[6];
   Records<Model, std::make_index_sequence<kGroups>> records_;
+  // The velocity of joints that are held; 0: it is not.
+  Real held_[at_least_one(kLimitsSpeeds ? State::kLinks : 0)];
   struct None {};
   std::conditional_t<kMimicking, MimicRows<Model>, None> mimics_;
 };

@@ -145,4 +145,13 @@ template <class Real>
   return {eagerx::select(acts, slope * (end - v), zero), eagerx::select(acts, slope, zero)};
 }
 
+/// Instead of all other torques: the joint has the velocity `target` at the end of the step.
+template <class Real>
+[[gnu::always_inline]] inline JointTorque<Real> held_torque(const Real& target, const Real& v,
+                                                            const FreeJoint<Real>& free,
+                                                            LaneOf<Real> dt) {
+  const Real slope = free.inertia * Real(kFirmness<LaneOf<Real>> / dt);
+  return {slope * (target - v), slope};
+}
+
 }  // namespace eagerx::models::multibody

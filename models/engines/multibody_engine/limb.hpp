@@ -66,12 +66,12 @@ class Limb : public LimbLinks<Model, g> {
 
   /// Mass matrix and right-hand side, from the tips to the base.
   template <class State>
-  [[gnu::always_inline]] void gather(std::size_t k, const State& state, Lane dt, Moving<Real>& base,
-                                     Record& record) {
+  [[gnu::always_inline]] void gather(std::size_t k, const State& state, const Real* held, Lane dt,
+                                     Moving<Real>& base, Record& record) {
     unrolled<n>([&](auto back) __attribute__((always_inline)) {
       constexpr std::size_t j = n - 1 - back;
       set_masses<j>();
-      add_torques<j>(k, state, dt, record);
+      add_torques<j>(k, state, held, dt, record);
       if constexpr (constexpr std::size_t up = Group::parent(j); up != kNone) {
         hand_on(this->link_[j], this->link_[up]);
       } else if constexpr (kFloating) {
@@ -256,8 +256,8 @@ class Limb : public LimbLinks<Model, g> {
 
   /// Torques on joint j, and the inertial torques of the motion.
   template <std::size_t j, class State>
-  [[gnu::always_inline]] void add_torques(std::size_t k, const State& state, Lane dt,
-                                          Record& record) {
+  [[gnu::always_inline]] void add_torques(std::size_t k, const State& state, const Real* held,
+                                          Lane dt, Record& record) {
     const std::size_t index = Group::index(k, j);
     const Real &q = state.q[index], &v = state.v[index];
     const JointDrive<Real>& drive = state.drive[index];
@@ -294,8 +294,14 @@ class Limb : public LimbLinks<Model, g> {
       sum = sum + stop_torque(value<Real, Low>(k), Lane(-1), q, v, free, dt);
     if constexpr (!Constant<High, Lane>::is(kUnlimited))
       sum = sum + stop_torque(value<Real, High>(k), Lane(1), q, v, free, dt);
-    if constexpr (!Constant<MaxVelocity, Lane>::is(kUnlimited))
+    if constexpr (!Constant<MaxVelocity, Lane>::is(kUnlimited)) {
       sum = sum + speed_limit_torque(value<Real, MaxVelocity>(k), v, free, dt);
+      if (const auto is_held = held[index] != zero; any(is_held)) {
+        const JointTorque<Real> torque = held_torque(held[index], v, free, dt);
+        sum = {eagerx::select(is_held, torque.now, sum.now),
+               eagerx::select(is_held, torque.slope, sum.slope)};
+      }
+    }
     record.rhs[j] = sum.now - needed;
     mass_[j][j] = inertia + Real(dt) * sum.slope;
   }

@@ -1,8 +1,10 @@
 // A step of a robot: accelerations, contacts, and the semi-implicit Euler method.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <eagerx/math.hpp>
+#include <iterator>
 #include <models/engines/multibody_engine/contact.hpp>
 #include <models/engines/multibody_engine/ground.hpp>
 #include <models/engines/multibody_engine/impulses.hpp>
@@ -43,18 +45,25 @@ class Step : public PairContacts<Model> {
 
   /// Of base (kFloating) and links, with the forces of contacts.
   [[gnu::always_inline]] void set_accelerations(int sweeps) {
-    start_base();
-    each_group([&](auto g) __attribute__((always_inline)) { make_equations<g>(); });
-    if constexpr (kFloating) finish_base();
-    if constexpr (kHasSolved || kMimicking || kPairCount > 0) solve_impulses(sweeps);
-    if constexpr (kFloating) accelerate_base();
-    each_group([&](auto g) __attribute__((always_inline)) { accelerate_limbs<g>(); });
-    if constexpr (kBasePoints > 0 && !kBaseSolved) keep_base_forces();
-    if constexpr (Base::kHasFastest) this->limit_speeds();
+    if constexpr (!Base::kLimitsSpeeds) {
+      solve(sweeps);
+    } else {
+      const ContactForces before = contact_forces();
+      for (auto& velocity : this->held_) velocity = Real(Lane(0));
+#pragma GCC unroll 1
+      for (int tries = 0; tries <= kMostAgain; ++tries) {
+        // Lanes without a joint that is held get the same once more.
+        if (tries > 0) set_contact_forces(before);
+        solve(sweeps);
+        if (!this->hold_the_fastest()) return;
+      }
+      this->cut_speeds();
+    }
   }
 
  private:
   using Points = PointTable<Model>;
+  static constexpr int kMostAgain = 3;  // of some 10,000 steps at random torques, 50 need more
   static constexpr bool kHasSolved = kBaseSolved ? kBasePoints > 0 : kLimbPoints > 0;
 
   static constexpr bool is_solved(std::size_t g, std::size_t link) {
@@ -64,6 +73,32 @@ class Step : public PairContacts<Model> {
       if (point.link == group.first + link) return point.solved;
     }
     return false;
+  }
+
+  [[gnu::always_inline]] void solve(int sweeps) {
+    start_base();
+    each_group([&](auto g) __attribute__((always_inline)) { make_equations<g>(); });
+    if constexpr (kFloating) finish_base();
+    if constexpr (kHasSolved || kMimicking || kPairCount > 0) solve_impulses(sweeps);
+    if constexpr (kFloating) accelerate_base();
+    each_group([&](auto g) __attribute__((always_inline)) { accelerate_limbs<g>(); });
+    if constexpr (kBasePoints > 0 && !kBaseSolved) keep_base_forces();
+  }
+
+  /// Of the last step, which a step begins with.
+  struct ContactForces {
+    Vec<Real> point[at_least_one(State::kPoints)];
+    Vec<Real> pair[at_least_one(kPairCount)];
+  };
+  ContactForces contact_forces() const {
+    ContactForces forces;
+    std::copy(std::begin(this->state_.force), std::end(this->state_.force), forces.point);
+    std::copy(std::begin(this->state_.pair_force), std::end(this->state_.pair_force), forces.pair);
+    return forces;
+  }
+  void set_contact_forces(const ContactForces& forces) {
+    std::copy(std::begin(forces.point), std::end(forces.point), this->state_.force);
+    std::copy(std::begin(forces.pair), std::end(forces.pair), this->state_.pair_force);
   }
 
   [[gnu::noinline]] void start_base() {
@@ -108,7 +143,7 @@ class Step : public PairContacts<Model> {
       LimbOf<g> limb;
       auto& record = records[k];
       limb.move(k, base_, this->state_);
-      limb.gather(k, this->state_, this->settings_.dt, base_, record);
+      limb.gather(k, this->state_, this->held_, this->settings_.dt, base_, record);
       add_points<g, false>(k, limb, record);
       limb.eliminate(this->equation_, record);
       add_points<g, true>(k, limb, record);

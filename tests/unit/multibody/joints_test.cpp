@@ -270,5 +270,60 @@ TEST(MultibodyJoints, LimitOfSpeedHoldsWhatOtherLinksDrive) {
   EXPECT_LT(std::abs(scene.simulator.twist(0)[5]), 20.0);
 }
 
+/// An arm of seven links that get lighter, with axes across, along and up in turn.
+struct LongArm {
+  using Real = double;
+  static constexpr std::size_t kJointCount = 7;
+  static constexpr std::array<const char*, kJointCount + 1> kNames = {
+      {"base", "a", "b", "c", "d", "e", "f", "g"}};
+  static constexpr auto kBodies = [] {
+    std::array<RigidBody, kJointCount> bodies{};
+    for (std::size_t i = 0; i < kJointCount; ++i) {
+      const double mass = 5.0 / static_cast<double>(1U << i);
+      bodies[i] = {.name = kNames[i + 1],
+                   .mass = mass,
+                   .inertia = {{0.01 * mass, 0.01 * mass, 0.002 * mass}},
+                   .position = {{0.05, 0.0, 0.2 * static_cast<double>(i) + 0.1}}};
+    }
+    return bodies;
+  }();
+  static constexpr auto kJoints = [] {
+    std::array<RigidJoint, kJointCount> joints{};
+    for (std::size_t i = 0; i < kJointCount; ++i) {
+      joints[i] = {
+          .name = kNames[i + 1],
+          .parent = i == 0 ? "" : kNames[i],
+          .child = kNames[i + 1],
+          .anchor = {{0.0, 0.0, 0.2 * static_cast<double>(i)}},
+          .axis = {{i % 3 == 1 ? 1.0 : 0.0, i % 3 == 0 ? 1.0 : 0.0, i % 3 == 2 ? 1.0 : 0.0}},
+          .low = -2.0,
+          .high = 2.0,
+          .max_velocity = 1.5};
+    }
+    return joints;
+  }();
+  static constexpr std::array<RigidGeometry, 0> kGeometries = {};
+};
+
+/// Random torques that exceed what the light links weigh many times: no joint is faster than 1.25
+/// times its limit, although each drives all others.
+TEST(MultibodyJoints, LimitOfSpeedHoldsInALongArm) {
+  MultibodyScene<LongArm, WeightlessMultibody<4>> scene;
+  std::uint32_t bits = 1;
+  double fastest = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    for (std::size_t j = 0; j < LongArm::kJointCount; ++j) {
+      bits = bits * 1664525U + 1013904223U;
+      const double part = static_cast<double>(bits >> 8U) * 0x1p-23 - 1.0;
+      scene.simulator.set_joint_torque(j, part * (j < 4 ? 50.0 : 15.0));
+    }
+    scene.tick();
+    for (std::size_t j = 0; j < LongArm::kJointCount; ++j)
+      fastest = std::max(fastest, std::abs(scene.simulator.joint_velocity(j)));
+  }
+  EXPECT_LT(fastest, 1.25 * 1.5 + 1e-9);
+  EXPECT_GT(fastest, 1.5);
+}
+
 }  // namespace
 }  // namespace eagerx::models::testing
