@@ -61,10 +61,10 @@ bool LeastSquares::settle(Trial& trial, std::size_t delay, double step) {
 /// With the other parameters fitted. Infinity beyond the range.
 double LeastSquares::cost_of_delay(Trial& trial, std::size_t delay, double value) {
   constexpr int kSteps = 2;
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  if (value < ranges_[delay].low || value > ranges_[delay].high) return kNone;
+  constexpr double kRejected = std::numeric_limits<double>::infinity();
+  if (value < ranges_[delay].low || value > ranges_[delay].high) return kRejected;
   trial.parameters[delay] = value;
-  if (!descend_states(trial, kAll, 1) || !descend(trial, kSteps)) return kNone;
+  if (!descend_states(trial, kAll, 1) || !descend(trial, kSteps)) return kRejected;
   return cost(trial, run_(trial));
 }
 

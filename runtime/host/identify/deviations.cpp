@@ -123,7 +123,7 @@ Matrix LeastSquares::curvature(const Trial& trial, const Reduced& here) {
     const double step = std::clamp(kShare * std::sqrt(row[p]), kLeast, kShare) * half(p);
     std::vector<double> scores[2];
     double values[2];
-    for (const std::size_t side : {0, 1}) {
+    for (const std::size_t side : {0U, 1U}) {
       Trial moved = trial;
       moved.parameters[p] = std::clamp(trial.parameters[p] + (side == 0 ? -step : step),
                                        ranges_[p].low, ranges_[p].high);

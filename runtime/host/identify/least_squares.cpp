@@ -42,7 +42,7 @@ LeastSquares::LeastSquares(const Experiment& experiment, std::vector<Range> rang
 }
 
 bool LeastSquares::fit(Trial& trial) {
-  constexpr std::uint32_t kMore = 4;
+  constexpr std::uint32_t kLonger = 4;
   constexpr int kSteps = 5;
   last_ = run_(trial);
   find_repetitions(last_);
@@ -50,7 +50,7 @@ bool LeastSquares::fit(Trial& trial) {
   // Unstable objects are far away at the end of a segment if its first state is only guessed.
   std::uint32_t longest = 0;
   for (const Sample& sample : experiment_.samples()) longest = std::max(longest, sample.position);
-  for (std::uint32_t window = 1; window <= longest; window *= kMore) {
+  for (std::uint32_t window = 1; window <= longest; window *= kLonger) {
     if (!descend_states(trial, window, kSteps)) return false;
   }
   if (!descend_states(trial, kAll, kSteps)) return false;

@@ -2,9 +2,8 @@
 
 namespace eagerx::linux_sim {
 bool parse_destination(std::string_view text, Destination& destination) {
-  using Kind = Destination::Kind;
   if (text.starts_with("dds")) {
-    destination.kind = Kind::dds;
+    destination.kind = Destination::Kind::dds;
     destination.written = text;
     return dds::parse_network(text.substr(3), destination.network);
   }
@@ -14,18 +13,18 @@ bool parse_destination(std::string_view text, Destination& destination) {
   destination.written = text;
   destination.said = "--publish " + destination.written;
   if (kind == "mcap") {
-    destination.kind = Kind::mcap;
+    destination.kind = Destination::Kind::mcap;
     destination.file = rest;
     return !rest.empty() && rest != "-";
   }
   if (kind == "foxglove") {
-    destination.kind = Kind::foxglove;
+    destination.kind = Destination::Kind::foxglove;
     return publish::parse_local_address(rest, destination);
   }
   if (kind == "udp") {
-    destination.kind = Kind::udp;
+    destination.kind = Destination::Kind::udp;
   } else if (kind == "teleplot") {
-    destination.kind = Kind::teleplot;
+    destination.kind = Destination::Kind::teleplot;
   } else {
     return false;
   }

@@ -40,10 +40,10 @@ bool RemoteWatch::go_on() {
 }
 
 void RemoteWatch::stand_still() {
-  constexpr std::int64_t kLook = 2'000'000;  // ns
+  constexpr std::int64_t kPauseNs = 2'000'000;
   const std::int64_t begin = now_ns();
   while (waits() && PublishWatch::go_on()) {
-    MonotonicClock::sleep_until(now_ns() + kLook);
+    MonotonicClock::sleep_until(now_ns() + kPauseNs);
     take_requests();
   }
   time_stood_still(now_ns() - begin);
