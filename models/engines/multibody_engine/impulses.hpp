@@ -93,13 +93,14 @@ class Impulses {
     }
     return any(some);
   }
-  /// Joints that are still too fast lose the rest, whatever that does to momentum.
+  /// Joints that are still too fast, held ones too, lose the rest, whatever that does to momentum.
+  /// Changes no lane in which none is: another lane's joint may be the reason for the call.
   [[gnu::noinline]] void cut_speeds() {
     const Real per_step(Lane(1) / settings_.dt);
     for (std::size_t l = 0; l < State::kLinks; ++l) {
       const Real velocity = next_velocity(l), end = within(velocity, most_speed(l));
-      acceleration[l] =
-          eagerx::select(velocity != end, (end - state_.v[l]) * per_step, acceleration[l]);
+      acceleration[l] = eagerx::select(eagerx::abs(velocity) > most_speed(l),
+                                       (end - state_.v[l]) * per_step, acceleration[l]);
     }
   }
   /// The base's motion of a row.

@@ -55,7 +55,9 @@ class Step : public PairContacts<Model> {
         // Lanes without a joint that is held get the same once more.
         if (tries > 0) set_contact_forces(before);
         solve(sweeps);
-        if (!this->hold_the_fastest()) return;
+        if (this->hold_the_fastest()) continue;
+        if (tries == 0) return;
+        break;
       }
       this->cut_speeds();
     }
