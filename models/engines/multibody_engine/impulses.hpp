@@ -1,11 +1,8 @@
-// Data that the parts of a step share, and impulses on joints that follow others or exceed their
-// speed limits.
+// Data that the parts of a step share, and impulses on joints that follow others.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <eagerx/math.hpp>
-#include <limits>
 #include <models/engines/multibody_engine/contact.hpp>
 #include <models/engines/multibody_engine/limb.hpp>
 #include <models/engines/multibody_engine/mimic.hpp>
@@ -45,25 +42,6 @@ class Impulses {
   template <std::size_t g>
   using LimbOf = Limb<Model, g, kFloating>;
   static constexpr bool kMimicking = count_mimics<Model>() > 0;
-  /// The torque that limits a joint's speed considers the joint alone. If others drive it beyond
-  /// this multiple of its limit, the step is solved again with the joint held at its limit.
-  static constexpr double kMostSpeed = 1.25;
-  static constexpr auto kSpeedLimits = [] {
-    std::array<Lane, at_least_one(State::kLinks)> limits{};
-    for (std::size_t l = 0; l < State::kLinks; ++l)
-      limits[l] = static_cast<Lane>(Model::kJoints[kTree<Model>.links[l].joint].max_velocity);
-    return limits;
-  }();
-  static Real most_speed(std::size_t link) {
-    return Real(static_cast<Lane>(kMostSpeed) * kSpeedLimits[link]);
-  }
-  static constexpr bool kLimitsSpeeds = [] {
-    for (std::size_t l = 0; l < State::kLinks; ++l) {
-      if (kSpeedLimits[l] < std::numeric_limits<Lane>::infinity()) return true;
-    }
-    return false;
-  }();
-
   Impulses(State& state, const Settings& settings) : state_(state), settings_(settings) {}
 
   template <class F>
@@ -74,46 +52,6 @@ class Impulses {
   [[gnu::always_inline]] auto& records() {
     return static_cast<GroupRecords<Model, g>&>(records_).limb;
   }
-  // ---- limits of speed
-  [[gnu::always_inline]] Real next_velocity(std::size_t link) const {
-    return state_.v[link] + Real(settings_.dt) * acceleration[link];
-  }
-  [[gnu::always_inline]] static Real within(const Real& velocity, const Real& most) {
-    return eagerx::max(-most, eagerx::min(velocity, most));
-  }
-  /// Holds joints that would be too fast at the end of the step; whether there are new ones.
-  [[gnu::noinline]] bool hold_the_fastest() {
-    const Real zero(Lane(0));
-    auto some = zero > zero;
-    for (std::size_t l = 0; l < State::kLinks; ++l) {
-      const Real velocity = next_velocity(l);
-      const auto beyond = held_[l] == zero && eagerx::abs(velocity) > most_speed(l);
-      held_[l] = eagerx::select(beyond, within(velocity, Real(kSpeedLimits[l])), held_[l]);
-      some = some || beyond;
-    }
-    return any(some);
-  }
-  /// Joints that are still too fast, held ones too, lose the rest, whatever that does to momentum.
-  /// Changes no lane in which none is: another lane's joint may be the reason for the call.
-  [[gnu::noinline]] void cut_speeds() {
-    const Real per_step(Lane(1) / settings_.dt);
-    for (std::size_t l = 0; l < State::kLinks; ++l) {
-      const Real velocity = next_velocity(l), end = within(velocity, most_speed(l));
-      acceleration[l] = eagerx::select(eagerx::abs(velocity) > most_speed(l),
-                                       (end - state_.v[l]) * per_step, acceleration[l]);
-    }
-  }
-  /// The base's motion of a row.
-  [[gnu::always_inline]] void solve_base(Real (&row)[6]) const {
-    for (std::size_t j = 6; j-- > 0;) {
-      for (std::size_t i = 0; i < j; ++i) row[i] -= equation_.a[j][i] * row[j];
-    }
-    for (std::size_t j = 0; j < 6; ++j) {
-      row[j] *= base_inverse_[j];
-      for (std::size_t i = 0; i < j; ++i) row[j] -= equation_.a[j][i] * row[i];
-    }
-  }
-
   // ---- joints that follow others
   [[gnu::noinline]] void make_mimic_rows() {
     mimics_.clear();
@@ -189,8 +127,6 @@ class Impulses {
   BaseEquation<Real> equation_;
   Real base_inverse_[6], base_pushed_[6];
   Records<Model, std::make_index_sequence<kGroups>> records_;
-  // The velocity of joints that are held; 0: it is not.
-  Real held_[at_least_one(kLimitsSpeeds ? State::kLinks : 0)];
   struct None {};
   std::conditional_t<kMimicking, MimicRows<Model>, None> mimics_;
 };

@@ -204,21 +204,6 @@ class Limb : public LimbLinks<Model, g> {
     });
   }
 
-  /// L⁻¹, after D⁻¹ has been applied, from the base to the tips.
-  [[gnu::always_inline]] static void substitute(const Record& record, const Real (&base)[6],
-                                                Real (&along)[n]) {
-    unrolled<n>([&](auto j) __attribute__((always_inline)) {
-      if constexpr (kFloating) {
-        unrolled<6>([&](auto b) __attribute__((always_inline)) {
-          along[j] -= record.to_base[j][b] * base[b];
-        });
-      }
-      each_above<Group, j>([&](auto i) __attribute__((always_inline)) {
-        along[j] -= record.lower[j][i] * along[i];
-      });
-    });
-  }
-
  private:
   template <std::size_t j>
   static constexpr bool kSlides = Links::template kSlides<j>;
